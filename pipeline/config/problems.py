@@ -1,0 +1,124 @@
+"""What the schema cannot see: whether a config's numbers fit its light and each other."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from pipeline.config.names import table_names
+from pipeline.config.schema import AxisSection, Config
+
+
+@dataclass(frozen=True)
+class Problem:
+    """One thing wrong: the field's path, its value, what is allowed and how to mend it."""
+
+    path: str
+    value: object
+    remedy: str
+
+    def __str__(self) -> str:
+        return f"{self.path} = {self.value!r}: {self.remedy}"
+
+
+def find(config: Config) -> list[Problem]:
+    """Return every problem of a config that satisfies the schema."""
+    return [*_axes(config), *_fit(config), *_winners(config), *_cases(config), *_names(config)]
+
+
+def _axes(config: Config) -> Iterator[Problem]:
+    domains = config.light.domains
+    given = [axis.name for axis in config.axes]
+    missing = [name for name in domains if name not in given]
+    if missing:
+        yield Problem("$.axes", given, f"The light has parameters {', '.join(domains)}; add an [[axes]] table for {', '.join(missing)}.")
+    for i, axis in enumerate(config.axes):
+        path = f"$.axes[{i}]"
+        if axis.name not in domains:
+            yield Problem(f"{path}.name", axis.name, f"The light has no such parameter. Use one of: {', '.join(domains)}.")
+        elif axis.name in given[:i]:
+            yield Problem(f"{path}.name", axis.name, "This parameter stands twice. Remove one of its [[axes]] tables.")
+        else:
+            domain = domains[axis.name]
+            low, high = axis.range
+            if not low < high:
+                yield Problem(f"{path}.range", list(axis.range), "The range is empty. Give [low, high] with low < high.")
+            elif low < domain.low or high > domain.high:
+                allowed = f"[{domain.low:.9g}, {domain.high:.9g}] {domain.unit if domain.unit != '1' else ''}".rstrip()
+                yield Problem(f"{path}.range", list(axis.range), f"Stay within {allowed}: {domain.why}.")
+        yield from _axis_numbers(path, axis)
+
+
+def _axis_numbers(path: str, axis: AxisSection) -> Iterator[Problem]:
+    low, high = axis.range
+    least, largest = axis.degrees
+    if axis.map == "log" and axis.point >= low:
+        yield Problem(f"{path}.point", axis.point, f"map = \"log\" needs a point below the range: less than {low:.9g}.")
+    if axis.map == "reciprocal" and low <= axis.point <= high:
+        yield Problem(f"{path}.point", axis.point, f"map = \"reciprocal\" needs a point outside [{low:.9g}, {high:.9g}].")
+    if least > largest:
+        yield Problem(f"{path}.degrees", list(axis.degrees), "The range is empty. Give [least, largest] with least <= largest.")
+    if axis.nodes <= largest:
+        yield Problem(f"{path}.nodes", axis.nodes, f"Degree {largest} needs at least {largest + 1} nodes.")
+    if axis.verification < 4 * largest:
+        yield Problem(f"{path}.verification", axis.verification, f"Degree {largest} needs at least {4 * largest} verification nodes.")
+
+
+def _fit(config: Config) -> Iterator[Problem]:
+    fit = config.fit
+    if fit.solver == "normal" and fit.basis == "chebyshev":
+        yield Problem("$.fit.solver", fit.solver, "Normal equations are for basis = \"monomial\". Use solver = \"svd\".")
+    if fit.basis == "monomial" and any(axis.degrees[0] != axis.degrees[1] for axis in config.axes):
+        yield Problem("$.fit.basis", fit.basis, "Only nested bases are swept. Use \"chebyshev\", or degrees = [d, d] on every axis.")
+    names = [reference.name for reference in fit.references]
+    for i, reference in enumerate(fit.references):
+        path = f"$.fit.references[{i}]"
+        if reference.name in names[:i]:
+            yield Problem(f"{path}.name", reference.name, "This name stands twice. Give every reference its own.")
+        yield from _degrees(config, f"{path}.degrees", reference.degrees, [axis.nodes - 1 for axis in config.axes])
+
+
+def _winners(config: Config) -> Iterator[Problem]:
+    for i, winner in enumerate(config.winners):
+        path = f"$.winners[{i}]"
+        if winner.bands > config.truth.bands:
+            yield Problem(f"{path}.bands", winner.bands, f"The truth has {config.truth.bands} bands. Use fewer, or raise truth.bands.")
+        if (winner.degrees is None) == (not winner.budgets):
+            yield Problem(path, {"budgets": list(winner.budgets)}, "Give either budgets, or degrees.")
+        if winner.degrees is not None:
+            yield from _degrees(config, f"{path}.degrees", winner.degrees, [axis.degrees[1] for axis in config.axes])
+        if winner.budgets and config.fit.basis != "chebyshev":
+            yield Problem(f"{path}.budgets", list(winner.budgets), "Budgets need basis = \"chebyshev\"; give degrees instead.")
+
+
+def _cases(config: Config) -> Iterator[Problem]:
+    ranges = {axis.name: axis.range for axis in config.axes}
+    for i, case in enumerate(config.report.cases):
+        path = f"$.report.cases[{i}].at"
+        if set(case.at) != set(ranges):
+            yield Problem(path, case.at, f"Give one value for each axis: {', '.join(ranges)}.")
+            continue
+        for name, value in case.at.items():
+            low, high = ranges[name]
+            if not low <= value <= high:
+                yield Problem(f"{path}.{name}", value, f"Stay within the axis's range [{low:.9g}, {high:.9g}].")
+
+
+def _degrees(config: Config, path: str, degrees: tuple[int, ...], largest: list[int]) -> Iterator[Problem]:
+    if len(degrees) != len(config.axes):
+        yield Problem(path, list(degrees), f"Give one degree for each of the {len(config.axes)} axes.")
+    elif any(d > top for d, top in zip(degrees, largest, strict=True)):
+        yield Problem(path, list(degrees), f"Stay within {largest}, one largest degree an axis.")
+
+
+def _names(config: Config) -> Iterator[Problem]:
+    if config.name == "reference":
+        yield Problem("$.name", config.name, "reports/reference holds the released result. Choose another name.")
+    names = table_names(config)
+    if not names:
+        yield Problem("$.winners", [], "Nothing to select. Add a [[winners]] table with bands and budgets, or degrees.")
+        return
+    for name in sorted({n for n in names if names.count(n) > 1}):
+        yield Problem("$.winners", name, "Two winners get this name. Remove one of them.")
+    if config.export.recommended not in names:
+        yield Problem("$.export.recommended", config.export.recommended, f"No winner has this name. Use one of: {', '.join(names)}.")

@@ -1,0 +1,125 @@
+"""The frozen model of a config file. Every field says what it may hold; unknown keys are refused."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import BaseModel, ConfigDict, Field
+
+from pipeline.light import CieGeneral, Preetham
+
+Name = Annotated[str, Field(pattern=r"^[a-z0-9][a-z0-9_-]{0,39}$")]
+Degree = Annotated[int, Field(ge=0, le=40)]
+Fraction = Annotated[float, Field(gt=0.0, le=1.0)]
+Bands = Annotated[int, Field(ge=1, le=32)]
+DType = Literal["float32", "float64"]
+
+
+class _Section(BaseModel):
+    model_config = ConfigDict(frozen=True, extra="forbid", strict=True, allow_inf_nan=False)
+
+
+class AxisSection(_Section):
+    """One parameter of the light."""
+
+    name: str = Field(description="a parameter of the light, e.g. sun_zenith (radians) or turbidity")
+    range: tuple[float, float] = Field(description="[low, high] with low < high, inside the light's domain")
+    map: Literal["raw", "identity", "log", "reciprocal"] = Field(
+        "identity", description="change of variable: raw (none), identity (scaled to [-1, 1]), log or reciprocal about `point`"
+    )
+    point: float = Field(0.0, description="singular point of map = log (below the range) or reciprocal (outside the range)")
+    nodes: int = Field(ge=2, le=1000, description="fit nodes, more than the largest degree")
+    spacing: Literal["chebyshev", "uniform"] = Field("chebyshev", description="spacing of the fit nodes")
+    verification: int = Field(ge=3, le=2000, description="verification nodes, at least four times the largest degree")
+    degrees: tuple[Degree, Degree] = Field(description="[least, largest] polynomial degree of the sweep, 0 to 40")
+
+
+class TruthSection(_Section):
+    """How the ground truth is sampled."""
+
+    bands: Bands = Field(description="SH bands of the truth, 1 to 32")
+    tolerance: float = Field(1e-10, ge=1e-14, le=1e-2, description="relative to the largest weight, 1e-14 to 1e-2")
+    orders: Literal["auto", "all"] = Field("auto", description="auto: m >= 0 alone where the light is symmetric; all: every m")
+    random: int = Field(500, ge=0, le=100_000, description="further random verification sets, 0 to 100000")
+    seed: int = Field(2008, ge=0, description="seed of the random sets, 0 or more")
+
+
+class ReferenceSection(_Section):
+    """A fit for comparison, on the same samples."""
+
+    name: Name = Field(description="lower-case letters, digits, - and _; at most 40")
+    basis: Literal["chebyshev", "monomial"] = Field("monomial", description="chebyshev or monomial")
+    solver: Literal["svd", "normal"] = Field("normal", description="svd, or normal equations")
+    scaled: bool = Field(False, description="whether parameters are scaled to [-1, 1] first")
+    degrees: tuple[Degree, ...] = Field(description="one degree an axis, below the axis's nodes")
+    dtype: DType = Field("float64", description="number type the table is kept and evaluated in")
+
+
+class FitSection(_Section):
+    """The fit that is swept over degrees and bands."""
+
+    basis: Literal["chebyshev", "monomial"] = Field("chebyshev", description="chebyshev, or monomial (the paper)")
+    solver: Literal["svd", "normal"] = Field("svd", description="svd, or normal equations")
+    prefactor: bool = Field(True, description="divide by the light's closed-form prefactor where it has one")
+    references: tuple[ReferenceSection, ...] = Field((), description="fits to show beside this one")
+
+
+class WinnerSection(_Section):
+    """Tables to select: the fewest bytes under each budget, or the degrees given."""
+
+    bands: Bands = Field(description="SH bands of the table, at most truth.bands")
+    budgets: tuple[Fraction, ...] = Field((), description="largest E_mean allowed, as fractions in (0, 1]")
+    degrees: tuple[Degree, ...] | None = Field(None, description="instead of budgets: one degree an axis, every coefficient kept")
+    dtype: DType = Field("float32", description="number type of the table")
+
+
+class ExportSection(_Section):
+    """What renderers get."""
+
+    prefix: str = Field(
+        "skylight_sh", pattern=r"^[a-z][a-z0-9_]{0,31}$", description="prefix of every C symbol: lower-case C identifier"
+    )
+    recommended: str = Field(description="name of the table to recommend, e.g. 7-bands-0.1pct")
+
+
+class CaseSection(_Section):
+    """A parameter set to show as panoramas."""
+
+    title: str = Field(min_length=1, max_length=80, description="heading of the pictures, at most 80 characters")
+    at: dict[str, float] = Field(description="one value for each axis, inside its range")
+
+
+class ReportSection(_Section):
+    """Which pictures to draw."""
+
+    figures: tuple[
+        Literal["bands", "maps", "panoramas", "ringing", "bytes", "degrees"], ...
+    ] = Field(("bands", "maps", "panoramas", "ringing", "bytes", "degrees"), description="pictures of the report")
+    cases: tuple[CaseSection, ...] = Field((), description="parameter sets to show beside the worst one")
+
+
+class RunSection(_Section):
+    """Where the work is done; it changes no result."""
+
+    executor: str = Field(
+        "threads",
+        pattern=r"^(threads|processes|(tcp|tls|inproc)://\S+)$",
+        description="threads, processes, or the address of a Dask scheduler such as tcp://127.0.0.1:8786",
+    )
+    workers: int = Field(0, ge=0, le=1024, description="threads or processes, 0 for one a core")
+
+
+class Config(_Section):
+    """One run of the pipeline."""
+
+    name: Name = Field(description="name of the run and of its folder under reports/: lower-case letters, digits, - and _")
+    light: Annotated[Preetham | CieGeneral, Field(discriminator="model")] = Field(
+        description="the light: model = preetham or cie_general, and its options"
+    )
+    axes: tuple[AxisSection, ...] = Field(description="the light's parameters, one [[axes]] table each")
+    truth: TruthSection = Field(description="a [truth] section: how the ground truth is sampled")
+    fit: FitSection = FitSection()
+    winners: tuple[WinnerSection, ...] = Field(description="at least one [[winners]] table")
+    export: ExportSection = Field(description="an [export] section: what renderers get")
+    report: ReportSection = ReportSection()
+    run: RunSection = RunSection()

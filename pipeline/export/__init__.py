@@ -1,0 +1,1 @@
+"""Export: tables as C, NPZ and other targets, one file a target."""

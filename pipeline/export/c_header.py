@@ -1,0 +1,118 @@
+"""Tables as C: one header, C99 and C++11, that evaluates, turns by azimuth and windows."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from jinja2 import Environment, PackageLoader, StrictUndefined
+
+from pipeline import __version__
+from pipeline.fit.bases import BASES
+from pipeline.fit.maps import MAPS
+from pipeline.light import PREFACTORS
+from pipeline.table.table import SLACK, Table
+
+PREFIX = re.compile(r"[a-z][a-z0-9_]{0,31}")
+
+
+@dataclass(frozen=True)
+class Facts:
+    """What the header says about its table: title, measured errors (fractions), convention, provenance lines."""
+
+    title: str
+    e_mean: float
+    e_max: float
+    l_min: str
+    provenance: Sequence[str]
+
+
+def write(table: Table, facts: Facts, prefix: str = "skylight_sh") -> str:
+    """Return the text of the header of ``table``; every symbol starts with ``prefix``.
+
+    Raises ValueError for a prefix that is no C identifier of lower-case letters, digits and underscores.
+    """
+    if not PREFIX.fullmatch(prefix):
+        raise ValueError(f"Invalid prefix {prefix!r}. Should be a lower-case C identifier of at most 32 characters.")
+    number = _double if table.dtype == np.float64 else _single
+    suffix = "" if table.dtype == np.float64 else "f"
+    names = [axis.name for axis in table.axes]
+    inputs = [names[0], "sun_azimuth", *names[1:]]
+    axes = [
+        {
+            "name": axis.name,
+            "map": axis.map,
+            "terms": degree + 1,
+            "constants": [number(c) for c in axis.constants],
+            "expression": MAPS[axis.map].c_expression.replace("LOG", f"log{suffix}"),
+            "low": number(axis.low),
+            "high": number(axis.high),
+            "slack": number(SLACK * max(axis.high - axis.low, 1.0)),
+        }
+        for axis, degree in zip(table.axes, table.degrees, strict=True)
+    ]
+    return _TEMPLATES.get_template("skylight_sh.h.j2").render(
+        p=prefix,
+        P=prefix.upper(),
+        version=__version__,
+        title=_comment(facts.title),
+        example=", ".join(f"{(a.low + a.high) / 2:.4g}f" for a in table.axes[:1])
+        + ", 0.0f"
+        + "".join(f", {(a.low + a.high) / 2:.4g}f" for a in table.axes[1:]),
+        inputs=[f"{a.name}: [{a.low:.9g}, {a.high:.9g}] {'' if a.unit == '1' else a.unit}".rstrip() for a in table.axes]
+        + ["sun_azimuth: any finite angle, rad"],
+        channels=table.channels,
+        e_mean=facts.e_mean,
+        e_max=facts.e_max,
+        l_min=_comment(facts.l_min),
+        bytes=table.bytes,
+        provenance=[_comment(line) for line in facts.provenance],
+        bands=table.bands,
+        real="double" if table.dtype == np.float64 else "float",
+        fn={"cos": f"cos{suffix}", "sin": f"sin{suffix}"},
+        coefficients=[number(float(c)) for c in table.coefficients],
+        lengths=[] if table.is_rectangular else table.lengths.ravel().tolist(),
+        axes=axes,
+        step=BASES[table.basis].c_step,
+        rest=table.lengths.shape[2],
+        mirrored=table.mirrored,
+        prefactor=_prefactor(table, number),
+        parameters=", ".join(f"float {name}" for name in inputs),
+        arguments=", ".join(inputs),
+    )
+
+
+def _prefactor(table: Table, number: Callable[[float], str]) -> dict[str, object] | None:
+    if table.prefactor is None:
+        return None
+    name, constants = table.prefactor
+    body = PREFACTORS[name].c_body
+    if table.dtype == np.float64:
+        body = re.sub(r"\b(tan|cos|sin|exp|log)f\b", r"\1", re.sub(r"(\d\.\d+)f\b", r"\1", body))
+        body = body.replace("const float", "const double")
+    return {"name": name, "constants": [number(c) for c in constants], "body": body}
+
+
+def _single(value: float) -> str:
+    return _pointed(f"{np.float32(value):.9g}") + "f"
+
+
+def _double(value: float) -> str:
+    return _pointed(f"{value:.17g}")
+
+
+def _pointed(text: str) -> str:
+    """A C number needs a point or an exponent to be a floating one."""
+    return text if any(c in text for c in ".en") else text + ".0"
+
+
+def _comment(text: str) -> str:
+    """Keep text from ending the comment that holds it."""
+    return text.replace("*/", "* /").replace("\n", " ")
+
+
+_TEMPLATES = Environment(
+    loader=PackageLoader("pipeline.export"), undefined=StrictUndefined, keep_trailing_newline=True, autoescape=False
+)

@@ -1,0 +1,1 @@
+"""Fit: axes, bases, solvers, errors, selection. Pure numerics."""

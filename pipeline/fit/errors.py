@@ -1,0 +1,56 @@
+"""The paper's error measures (Habel et al. 2008, eqs. 2 and 3) and the conventions they need."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+CONVENTIONS = ("per-set", "global")
+
+
+@dataclass(frozen=True)
+class Reference:
+    """What errors are measured against, for ``n`` parameter sets.
+
+    ``parameters`` ``(n, axes)``; ``weights`` ``(n, channels, count)``; ``degrees`` ``(count,)``, rising;
+    ``least`` ``(n,)``, the least luminance of each set's upper hemisphere, and ``mean``, its mean.
+    """
+
+    parameters: Array
+    weights: Array
+    degrees: NDArray[np.int64]
+    least: Array
+    mean: Array
+
+    @property
+    def l_min(self) -> dict[str, Array]:
+        """The denominator of E_max and E_mean for each convention's name, shape ``(n,)``.
+
+        A light whose least radiance is not positive has its mean radiance instead, under the name ``mean``.
+        """
+        if np.any(self.least <= 0.0):
+            return {"mean": self.mean}
+        return {"per-set": self.least, "global": np.full(self.least.shape, self.least.min())}
+
+    def first_bands(self, bands: int) -> NDArray[np.int64]:
+        """Return the positions of the weights of the first ``bands`` bands."""
+        return np.flatnonzero(self.degrees < bands)
+
+
+def by_band(residual: Array, degrees: NDArray[np.int64], bands: int) -> tuple[Array, Array]:
+    """Sum residuals ``(..., count)`` over the first 1, 2, .. ``bands`` bands.
+
+    Returns the sums of magnitudes and the roots of the sums of squares, shape ``(..., bands)``: E_max and E_mean
+    before division by L_min.
+    """
+    # One matrix product sums a weight into every band count that holds it.
+    holds = (degrees[:, np.newaxis] < np.arange(1, bands + 1)).astype(np.float64)
+    return np.abs(residual) @ holds, np.sqrt((residual * residual) @ holds)
+
+
+def mean_luminance(first_weights: Array, luminance_row: Array) -> Array:
+    """Return the mean luminance over the upper hemisphere, ``(n,)``, from the l = 0 weights ``(n, channels)``."""
+    return np.asarray(first_weights @ luminance_row) * np.sqrt(4 * np.pi) / (2 * np.pi)

@@ -1,0 +1,48 @@
+"""Least squares of sampled weights by products of one-variable polynomials, over any number of axes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+SOLVERS = ("svd", "normal")
+
+
+def fit_tensor(samples: Array, matrices: Sequence[Array]) -> Array:
+    """Fit samples on a tensor grid axis by axis.
+
+    ``samples`` has shape ``(n_1, .., n_D, outputs)`` and ``matrices[a]``, the basis at axis a's nodes, ``(n_a,
+    d_a+1)``. Returns ``(outputs, d_1+1, .., d_D+1)``. The pseudo-inverse of a Kronecker product is that of its
+    factors, so this is the full least-squares solution at the cost of one small SVD an axis.
+    """
+    out = samples
+    for axis, matrix in enumerate(matrices):
+        out = np.moveaxis(np.tensordot(np.linalg.pinv(matrix), out, axes=(1, axis)), 0, axis)
+    return np.moveaxis(out, -1, 0)
+
+
+def fit_full(samples: Array, matrices: Sequence[Array], solver: str) -> Array:
+    """Fit by one system over all grid points: what the paper's description amounts to. Shapes as ``fit_tensor``.
+
+    ``normal`` solves the normal equations by LU, rounding and all; ``svd`` minimises directly.
+    """
+    system = matrices[0]
+    for matrix in matrices[1:]:
+        system = np.einsum("ai,bj->abij", system, matrix).reshape(len(system) * len(matrix), -1)
+    right = samples.reshape(len(system), -1)
+    if solver == "normal":
+        solution = np.linalg.solve(system.T @ system, system.T @ right)
+    elif solver == "svd":
+        solution = np.linalg.lstsq(system, right, rcond=None)[0]
+    else:
+        raise ValueError(f"Unknown solver {solver!r}. Should be one of: {', '.join(SOLVERS)}.")
+    return np.asarray(solution.T.reshape(-1, *(m.shape[1] for m in matrices)))
+
+
+def condition(matrices: Sequence[Array]) -> float:
+    """Return the condition number of the whole least-squares system: the product of its factors'."""
+    return float(np.prod([np.linalg.cond(m) for m in matrices]))

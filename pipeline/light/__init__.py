@@ -1,0 +1,14 @@
+"""Lights: parametric radiance on the upper hemisphere, one file a light, named here."""
+
+from __future__ import annotations
+
+from pipeline.light.cie import CieGeneral
+from pipeline.light.preetham import Preetham
+from pipeline.light.protocol import Domain, Hints, Light, Prefactor
+
+# A light's dataclass fields are its options in a config's [light] section; ``model`` tells the lights apart.
+LIGHTS = {"preetham": Preetham, "cie_general": CieGeneral}
+# Every prefactor a table may name.
+PREFACTORS = {p.name: p for p in (Preetham().hints.prefactor,) if p}
+
+__all__ = ["LIGHTS", "PREFACTORS", "CieGeneral", "Domain", "Hints", "Light", "Preetham", "Prefactor"]

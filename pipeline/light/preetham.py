@@ -1,0 +1,182 @@
+"""The Preetham sky (Preetham, Shirley and Smits 1999), luminance and chromaticity, in linear RGB.
+
+Two constant sets: ``published`` (the 1999 paper) and ``smits`` (the five-digit set of the authors' released code,
+which the data of Habel et al. 2008 follows).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pipeline.light import colour
+from pipeline.light.protocol import Array, Domain, Hints, Parameters, Prefactor, sun_angle
+
+Floats = NDArray[np.floating]
+
+# Rows A..E of the Perez function; columns: slope and offset in turbidity for Y, x and y.
+_PEREZ = {
+    "published": (
+        (0.1787, -1.4630, -0.0193, -0.2592, -0.0167, -0.2608),
+        (-0.3554, 0.4275, -0.0665, 0.0008, -0.0950, 0.0092),
+        (-0.0227, 5.3251, -0.0004, 0.2125, -0.0079, 0.2102),
+        (0.1206, -2.5771, -0.0641, -0.8989, -0.0441, -1.6537),
+        (-0.0670, 0.3703, -0.0033, 0.0452, -0.0109, 0.0529),
+    ),
+    "smits": (
+        (0.17872, -1.46303, -0.01925, -0.25922, -0.01669, -0.26078),
+        (-0.35540, 0.42749, -0.06651, 0.00081, -0.09495, 0.00921),
+        (-0.02266, 5.32505, -0.00041, 0.21247, -0.00792, 0.21023),
+        (0.12064, -2.57705, -0.06409, -0.89887, -0.04405, -1.65369),
+        (-0.06696, 0.37027, -0.00325, 0.04517, -0.01092, 0.05291),
+    ),
+}
+
+# Zenith chromaticity x and y: rows tau^2, tau, 1; columns theta^3, theta^2, theta, 1.
+_ZENITH = {
+    "published": (
+        (
+            (0.00166, -0.00375, 0.00209, 0.0),
+            (-0.02903, 0.06377, -0.03202, 0.00394),
+            (0.11693, -0.21196, 0.06052, 0.25886),
+        ),
+        (
+            (0.00275, -0.00610, 0.00317, 0.0),
+            (-0.04214, 0.08970, -0.04153, 0.00516),
+            (0.15346, -0.26756, 0.06670, 0.26688),
+        ),
+    ),
+    "smits": (
+        (
+            (0.00165, -0.00374, 0.00208, 0.0),
+            (-0.02902, 0.06377, -0.03202, 0.00394),
+            (0.11693, -0.21196, 0.06052, 0.25885),
+        ),
+        (
+            (0.00275, -0.00610, 0.00316, 0.0),
+            (-0.04214, 0.08970, -0.04153, 0.00515),
+            (0.15346, -0.26756, 0.06669, 0.26688),
+        ),
+    ),
+}
+
+CONSTANT_SETS = tuple(_PEREZ)
+
+DOMAINS: Mapping[str, Domain] = {
+    "sun_zenith": Domain(0.0, float(np.pi / 2), "rad", "the model describes a sun above the horizon"),
+    "turbidity": Domain(1.7, 10.0, "1", "the luminance normaliser 1 + A exp B passes 0 near turbidity 1.643"),
+}
+
+
+@dataclass(frozen=True)
+class Preetham:
+    """The sky as a black box over ``sun_zenith`` (radians) and ``turbidity``; radiance in cd/m2."""
+
+    __pydantic_config__ = {"extra": "forbid", "strict": True}
+
+    model: Literal["preetham"] = "preetham"
+    constants: Literal["published", "smits"] = "published"
+    colour_space: Literal["srgb"] = "srgb"
+
+    @property
+    def title(self) -> str:
+        """Name for people."""
+        return f"Preetham sky ({self.constants} constants, {self.colour_space})"
+
+    @property
+    def channels(self) -> tuple[str, ...]:
+        """Linear red, green and blue."""
+        return ("red", "green", "blue")
+
+    @cached_property
+    def luminance_row(self) -> Array:
+        """The Y row of the colour space."""
+        return colour.luminance_row(self.colour_space)
+
+    @property
+    def domains(self) -> Mapping[str, Domain]:
+        """Sun zenith and turbidity."""
+        return DOMAINS
+
+    @cached_property
+    def hints(self) -> Hints:
+        """Mirror-symmetric, a cusp at the sun, and the zenith luminance factor as prefactor."""
+        numbers = tuple(value for row in _PEREZ[self.constants] for value in row[:2])
+        prefactor = Prefactor("preetham_zenith", ("sun_zenith", "turbidity"), numbers, zenith_factor, _ZENITH_FACTOR_C, 16)
+        return Hints(mirrored=True, peak_axis="sun_zenith", prefactor=prefactor)
+
+    def radiance(self, directions: Array, parameters: Parameters) -> Array:
+        """Return linear RGB of shape ``(..., 3)``; see ``Light.radiance``.
+
+        The blue channel dips below 0 in at most 0.05 % of the sky, only with the sun on the horizon and turbidity
+        below 3.2. It is left so: a clamp would break smoothness.
+        """
+        theta, tau = parameters["sun_zenith"], parameters["turbidity"]
+        gamma, cos_gamma = sun_angle(directions, theta)
+        # exp(B / cos z) is 0 on the horizon itself, where B < 0 divides by zero.
+        secant = 1.0 / np.maximum(directions[..., 2], 1e-300)
+        perez = np.array(_PEREZ[self.constants])
+        luminance, x, y = (
+            zenith * _perez(k, tau, secant, gamma, cos_gamma) / _perez(k, tau, np.ones(()), theta, np.cos(theta))
+            for k, zenith in zip(
+                (perez[:, 0:2], perez[:, 2:4], perez[:, 4:6]),
+                (zenith_luminance(theta, tau), *self._zenith_chromaticity(theta, tau)),
+                strict=True,
+            )
+        )
+        scale = luminance / y
+        to_rgb = colour.matrix(self.colour_space)
+        out = np.empty((*scale.shape, 3))
+        blue_xyz = (1.0 - x - y) * scale
+        red_xyz = x * scale
+        for channel in range(3):
+            row = to_rgb[channel]
+            out[..., channel] = row[0] * red_xyz + row[1] * luminance + row[2] * blue_xyz
+        return out
+
+    def _zenith_chromaticity(self, theta: Array, tau: Array) -> tuple[Array, Array]:
+        powers = (theta**3, theta**2, theta, np.ones_like(theta))
+        x, y = (
+            sum(t * sum(c * p for c, p in zip(row, powers, strict=True)) for row, t in zip(table, (tau**2, tau, 1.0), strict=True))
+            for table in _ZENITH[self.constants]
+        )
+        return np.asarray(x), np.asarray(y)
+
+
+def zenith_luminance(theta: Floats, tau: Floats) -> Floats:
+    """Return the zenith luminance in cd/m2 (Preetham et al. 1999, appendix A.2; the whole sum is in kcd/m2)."""
+    chi = (4.0 / 9.0 - tau / 120.0) * (np.pi - 2.0 * theta)
+    return np.asarray(1000.0 * ((4.0453 * tau - 4.9710) * np.tan(chi) - 0.2155 * tau + 2.4192))
+
+
+def zenith_factor(parameters: Mapping[str, Floats], constants: tuple[float, ...]) -> Floats:
+    """Return ``Y_z / F_Y(0, theta)``: the zenith luminance without the shape of the sky, in cd/m2.
+
+    ``constants`` are slope and offset of A..E for Y. Works in the dtype of its parameters.
+    """
+    theta, tau = parameters["sun_zenith"], parameters["turbidity"]
+    k = np.reshape(constants, (5, 2)).astype(np.result_type(theta))
+    one = np.ones((), dtype=k.dtype)
+    return np.asarray(zenith_luminance(theta, tau) / _perez(k, tau, one, theta, np.cos(theta)))
+
+
+_ZENITH_FACTOR_C = """\
+const float chi = (0.44444444444444444f - turbidity * 0.0083333333333333333f) * (3.1415926535897932f - 2.0f * sun_zenith);
+const float zenith = 1000.0f * ((4.0453f * turbidity - 4.9710f) * tanf(chi) - 0.2155f * turbidity + 2.4192f);
+const float c = cosf(sun_zenith);
+const float a = k[0] * turbidity + k[1];
+const float b = k[2] * turbidity + k[3];
+const float halo = (k[4] * turbidity + k[5]) * expf((k[6] * turbidity + k[7]) * sun_zenith);
+const float shape = (1.0f + a * expf(b)) * (1.0f + halo + (k[8] * turbidity + k[9]) * c * c);
+return zenith / shape;"""
+
+
+def _perez(k: Floats, tau: Floats, secant: Floats, gamma: Floats, cos_gamma: Floats) -> Floats:
+    """Perez function ``(1 + A exp(B / cos z)) (1 + C exp(D g) + E cos^2 g)`` with A..E linear in turbidity."""
+    a, b, c, d, e = (slope * tau + offset for slope, offset in k)
+    return np.asarray((1 + a * np.exp(b * secant)) * (1 + c * np.exp(d * gamma) + e * cos_gamma**2))

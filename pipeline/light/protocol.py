@@ -1,0 +1,97 @@
+"""What the pipeline asks of a light: a black box ``radiance(directions, parameters)`` and optional hints."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+Parameters = Mapping[str, Array]
+
+
+@dataclass(frozen=True)
+class Domain:
+    """Where a parameter of a light is defined: ``low <= value <= high`` in ``unit``; ``why`` explains the limits."""
+
+    low: float
+    high: float
+    unit: str
+    why: str
+
+
+@dataclass(frozen=True)
+class Prefactor:
+    """A closed form that the weights are divided by before the fit and multiplied by after evaluation.
+
+    ``evaluate`` maps the light's parameters to values in the dtype of its arguments, with ``constants`` as its
+    numbers; ``c_body`` is the same in C: statements over ``float`` variables named like the parameters and the array
+    ``k`` of constants, ending in ``return``. Both are held together by the header's conformance test. ``literals`` counts
+    the numbers written into ``c_body`` itself, so that a table's bytes leave nothing out.
+    """
+
+    name: str
+    axes: tuple[str, ...]
+    constants: tuple[float, ...]
+    evaluate: Callable[[Mapping[str, NDArray[np.floating]], tuple[float, ...]], NDArray[np.floating]]
+    c_body: str
+    literals: int
+
+
+@dataclass(frozen=True)
+class Hints:
+    """What a light may tell about itself; every one may be left out.
+
+    ``mirrored``: radiance is even in y while the peak stands at phi = 0 (checked by sampling before use).
+    ``peak_axis``: the parameter that is the zenith angle of the light's peak, in radians.
+    ``prefactor``: a closed form that carries most of the weights' change.
+    """
+
+    mirrored: bool = False
+    peak_axis: str | None = None
+    prefactor: Prefactor | None = None
+
+
+class Light(Protocol):
+    """A parametric light on the upper hemisphere; the lower one is black."""
+
+    @property
+    def title(self) -> str:
+        """Name for people, options included."""
+
+    @property
+    def channels(self) -> tuple[str, ...]:
+        """Names of the channels of ``radiance``."""
+
+    @property
+    def luminance_row(self) -> Array:
+        """Factors, shape ``(channels,)``, whose dot product with a radiance is its luminance in cd/m2."""
+
+    @property
+    def domains(self) -> Mapping[str, Domain]:
+        """The parameters, in their customary order, each with its domain."""
+
+    @property
+    def hints(self) -> Hints:
+        """What the light tells about itself."""
+
+    def radiance(self, directions: Array, parameters: Parameters) -> Array:
+        """Return the radiance of shape ``(..., channels)`` in cd/m2 (linear, luminance-scaled).
+
+        ``directions`` are unit vectors ``(..., 3)``, z up, the peak's azimuth 0; each parameter broadcasts
+        against ``directions.shape[:-1]``. Directions below the horizon are not asked for.
+        """
+
+
+def sun_angle(directions: Array, theta: Array) -> tuple[Array, Array]:
+    """Return the angle between ``directions`` ``(..., 3)`` and a sun at zenith angle ``theta``, azimuth 0, and its cosine.
+
+    ``theta`` broadcasts against ``directions.shape[:-1]``. The arc tangent keeps full precision at a sky's cusp.
+    """
+    x, y, z = np.moveaxis(directions, -1, 0)
+    sin_theta, cos_theta = np.sin(theta), np.cos(theta)
+    cos_gamma = x * sin_theta + z * cos_theta
+    return np.arctan2(np.hypot(y, x * cos_theta - z * sin_theta), cos_gamma), cos_gamma

@@ -1,0 +1,84 @@
+"""Every measured error as one tidy table, ``errors.csv``."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+import pandas as pd
+
+from pipeline import sphere
+from pipeline.report.material import Entry, Material
+
+
+def frame(material: Material) -> pd.DataFrame:
+    """Return one row a combination of table, bands, channel and L_min convention. Errors are fractions, angles radians.
+
+    ``table`` is ``sweep`` for a fit with every coefficient kept, else a reference's or winner's name; ``dtype`` is the number
+    type of coefficients and arithmetic, ``coefficients`` and ``bytes`` count those of the first ``bands`` bands of a sweep's
+    fit, and all of a named table.
+    """
+    parts = [_sweep(material), *(_entry(material, e) for e in (*material.references, *material.winners))]
+    return pd.concat(parts, ignore_index=True)
+
+
+def csv(material: Material) -> bytes:
+    """Return ``frame`` as CSV, five significant digits."""
+    return frame(material).to_csv(index=False, float_format="%.5g", lineterminator="\n").encode()
+
+
+def _sweep(material: Material) -> pd.DataFrame:
+    sweep = material.sweep
+    terms = np.prod(sweep.degrees + 1, axis=1)
+    outputs = np.array([sphere.count(n, mirrored=material.mirrored) for n in range(1, material.bands + 1)])
+    rows = []
+    for c, convention in enumerate(material.conventions):
+        combination, channel, bands = (i.ravel() for i in np.indices(sweep.rel_l2.shape))
+        coefficients = terms[combination] * outputs[bands] * len(material.light.channels)
+        rows.append(
+            pd.DataFrame(
+                {
+                    "table": "sweep",
+                    "basis": material.basis,
+                    **{f"degree_{a.name}": sweep.degrees[combination, i] for i, a in enumerate(material.axes)},
+                    "dtype": "float64",
+                    "bands": bands + 1,
+                    "channel": np.array(material.light.channels)[channel],
+                    "l_min": convention,
+                    "e_max": sweep.e_max[c].ravel(),
+                    "e_mean": sweep.e_mean[c].ravel(),
+                    "rel_l2": sweep.rel_l2.ravel(),
+                    **{
+                        f"{a.name}_at_worst": sweep.at[c].reshape(-1, len(material.axes))[:, i]
+                        for i, a in enumerate(material.axes)
+                    },
+                    "coefficients": coefficients,
+                    "bytes": 8 * coefficients,
+                }
+            )
+        )
+    return pd.concat(rows, ignore_index=True)
+
+
+def _entry(material: Material, entry: Entry) -> pd.DataFrame:
+    return pd.DataFrame(list(_rows(material, entry)))
+
+
+def _rows(material: Material, entry: Entry) -> Iterator[dict[str, object]]:
+    table = entry.table
+    for c, channel, bands in np.ndindex(entry.e_mean.shape):
+        yield {
+            "table": entry.name,
+            "basis": table.basis,
+            **{f"degree_{a.name}": d for a, d in zip(table.axes, table.degrees, strict=True)},
+            "dtype": str(table.dtype),
+            "bands": bands + 1,
+            "channel": material.light.channels[channel],
+            "l_min": material.conventions[c],
+            "e_max": entry.e_max[c, channel, bands],
+            "e_mean": entry.e_mean[c, channel, bands],
+            "rel_l2": entry.rel_l2[channel, bands],
+            **{f"{a.name}_at_worst": entry.at[c, channel, bands, i] for i, a in enumerate(material.axes)},
+            "coefficients": table.coefficients.size,
+            "bytes": table.bytes,
+        }

@@ -1,0 +1,30 @@
+"""Pictures of the report, one file a picture, named here in the order of the page."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from matplotlib.figure import Figure
+
+from pipeline.report.figures import bands, degrees, maps, panoramas, ringing, sizes
+from pipeline.report.material import Material
+
+
+@dataclass(frozen=True)
+class Picture:
+    """A picture's title, what it shows, and how it is drawn (None where there is nothing to show)."""
+
+    title: str
+    caption: str
+    draw: Callable[[Material], Figure | None]
+
+
+PICTURES = {
+    "bands": Picture("Largest errors against bands", bands.CAPTION, bands.draw),
+    "bytes": Picture("Error against bytes", sizes.CAPTION, sizes.draw),
+    "degrees": Picture("Error of every combination of degrees", degrees.CAPTION, degrees.draw),
+    "maps": Picture("Where the error is", maps.CAPTION, maps.draw),
+    "panoramas": Picture("The worst cases as skies", panoramas.CAPTION, panoramas.draw),
+    "ringing": Picture("Ringing, before and after the window", ringing.CAPTION, ringing.draw),
+}

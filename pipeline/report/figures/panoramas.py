@@ -1,0 +1,58 @@
+"""The worst cases as skies: truth, reconstruction, difference (the paper's figure 2)."""
+
+from __future__ import annotations
+
+import numpy as np
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from pipeline.report import panorama, style
+from pipeline.report.material import Entry, Material
+from pipeline.table.table import full_weights
+
+CAPTION = (
+    "The paper's figure 2: the sky itself, its SH expansion from converged weights, the expansion from the table, and their "
+    "difference in per cent of the least radiance (luminance). Azimuth across, the sun in the middle; altitude up. "
+    "An expansion of few bands rings below the horizon, which is the truth of that expansion and no error of a table."
+)
+
+
+def draw(material: Material) -> Figure:
+    """Draw a column a case and table, a row a picture."""
+    columns: list[tuple[str, NDArray[np.float64], Entry]] = []
+    for title, values in material.cases.items():
+        columns += [(title, values, entry) for entry in (*material.references[:2], material.best)]
+    columns.append(("Worst set of this table", material.best.worst, material.best))
+    figure = style.figure(3.7 * len(columns), 8.6)
+    panels = figure.subplots(4, len(columns), squeeze=False)
+    for column, (title, values, entry) in enumerate(columns):
+        _column(material, list(panels[:, column]), title, values, entry, figure)
+    for row, label in zip(panels[:, 0], ("sky", "SH, true weights", "SH, table", "difference"), strict=True):
+        row.set_ylabel(f"{label}\naltitude (degrees)", fontsize=8)
+    for panel in panels[-1]:
+        panel.set_xlabel("azimuth from the sun (degrees)", fontsize=8)
+    return figure
+
+
+def _column(material: Material, panels: list, title: str, values: np.ndarray, entry: Entry, figure: Figure) -> None:
+    light, table = material.light, entry.table
+    names = tuple(axis.name for axis in material.axes)
+    truth = full_weights(table, material.sample(values), table.bands)
+    rebuilt = full_weights(table, table.evaluate(values[np.newaxis])[0], table.bands)
+    sky, true, made = panorama.sky(light, values, names), panorama.expansion(truth), panorama.expansion(rebuilt)
+    white = float(np.quantile(sky[: len(sky) // 2] @ light.luminance_row, 0.98))
+    for panel, picture in zip(panels, (sky, true, made), strict=False):
+        panel.imshow(panorama.display(picture, white), extent=panorama.EXTENT, aspect="auto", interpolation="nearest")
+    difference = 100 * ((made - true) @ light.luminance_row) / _scale(material, values)
+    reach = max(float(np.abs(difference).max()), 1e-12)
+    image = panels[3].imshow(difference, extent=panorama.EXTENT, aspect="auto", cmap=style.SIGNED_MAP, vmin=-reach, vmax=reach)
+    figure.colorbar(image, ax=panels[3], orientation="horizontal", label="% of L_min")
+    for panel in panels:
+        panel.tick_params(labelsize=7)
+    panels[0].set_title(f"{title}\n{entry.name}, N = {table.bands}\n{material.describe(values)}", fontsize=8.5)
+
+
+def _scale(material: Material, values: np.ndarray) -> float:
+    """The least luminance of the nearest verification set of the grid: a scale for people, not a measure."""
+    index = tuple(int(np.abs(nodes - value).argmin()) for nodes, value in zip(material.grid, values, strict=True))
+    return float(material.least[index])

@@ -1,0 +1,54 @@
+"""Error against bytes: the sweep's rectangles and the winners."""
+
+from __future__ import annotations
+
+import numpy as np
+from matplotlib.figure import Figure
+from matplotlib.ticker import PercentFormatter
+
+from pipeline import sphere
+from pipeline.report import style
+from pipeline.report.material import Material
+
+CAPTION = (
+    "Largest E_mean against size. Dots: every combination of degrees of the sweep with all its coefficients kept, as "
+    "four-byte numbers. Large marks: the winners as shipped, every constant counted. Below and left is better."
+)
+
+
+def draw(material: Material) -> Figure:
+    """Draw one colour a number of bands."""
+    figure = style.figure(9, 5)
+    axes = figure.subplots()
+    for i, bands in enumerate(sorted({entry.table.bands for entry in material.winners}, reverse=True)):
+        outputs = sphere.count(bands, mirrored=material.mirrored) * len(material.light.channels)
+        size = 4 * outputs * np.prod(material.sweep.degrees + 1, axis=1)
+        error = material.sweep.e_mean[0, :, :, bands - 1].max(axis=1)
+        axes.loglog(size, error, ".", color=style.SERIES[i], alpha=0.35, label=f"sweep, {bands} bands")
+        winners = [entry for entry in material.winners if entry.table.bands == bands]
+        axes.loglog(
+            [entry.table.bytes for entry in winners],
+            [entry.headline[0] for entry in winners],
+            style.MARKERS[i],
+            color=style.SERIES[i],
+            markeredgecolor="black",
+            markersize=10,
+            label=f"winners, {bands} bands",
+        )
+    for i, entry in enumerate(material.references):
+        axes.loglog(entry.table.bytes, entry.e_mean[0, :, -1].max(), "xP"[i % 2], color="black", markersize=9, label=entry.name)
+    best = material.best
+    axes.annotate(
+        "recommended",
+        (best.table.bytes, best.headline[0]),
+        xytext=(-12, -28),
+        textcoords="offset points",
+        ha="right",
+        arrowprops={"arrowstyle": "->"},
+    )
+    axes.set_xlabel("bytes")
+    axes.set_ylabel(f"largest E_mean, L_min {material.conventions[0]}")
+    axes.yaxis.set_major_formatter(PercentFormatter(1.0, decimals=None))
+    axes.grid(True, which="major", alpha=0.3)
+    axes.legend(fontsize=8)
+    return figure

@@ -1,0 +1,95 @@
+"""Everything the report shows, gathered once."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pipeline.fit.axes import Axis
+from pipeline.light.protocol import Light
+from pipeline.table.table import Table
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Entry:
+    """A table with its measured errors.
+
+    ``e_max``, ``e_mean`` ``(conventions, channels, bands)``, ``rel_l2`` ``(channels, bands)``, ``at`` ``(conventions,
+    channels, bands, axes)``; ``per_set`` the E_mean of each verification set, or None.
+    """
+
+    name: str
+    table: Table
+    e_max: Array
+    e_mean: Array
+    rel_l2: Array
+    at: Array
+    per_set: Array | None = None
+    condition: float | None = None
+
+    @property
+    def headline(self) -> tuple[float, float]:
+        """E_mean and E_max over all bands and channels, first convention."""
+        return float(self.e_mean[0, :, -1].max()), float(self.e_max[0, :, -1].max())
+
+    @property
+    def worst(self) -> Array:
+        """The parameter set of the largest E_mean, shape ``(axes,)``."""
+        channel = int(self.e_mean[0, :, -1].argmax())
+        return np.asarray(self.at[0, channel, -1])
+
+
+@dataclass(frozen=True)
+class Sweep:
+    """The sweep's errors: ``degrees`` ``(combinations, axes)``, the rest as in ``Entry`` with combinations before channels."""
+
+    degrees: NDArray[np.int64]
+    e_max: Array
+    e_mean: Array
+    rel_l2: Array
+    at: Array
+
+
+@dataclass(frozen=True)
+class Material:
+    """What pictures and page are made of. ``sample`` gives a set's true weights ``(channels, count)``."""
+
+    name: str
+    basis: str
+    light: Light
+    axes: tuple[Axis, ...]
+    conventions: tuple[str, ...]
+    winners: tuple[Entry, ...]
+    references: tuple[Entry, ...]
+    recommended: str
+    sweep: Sweep
+    grid: tuple[Array, ...]
+    least: Array
+    bands: int
+    mirrored: bool
+    condition: float
+    cases: Mapping[str, Array]
+    sample: Callable[[Array], Array]
+    settings: Mapping[str, Any]
+    environment: Mapping[str, Any]
+    keys: Mapping[str, str]
+    rule: Mapping[str, Any]
+
+    @property
+    def best(self) -> Entry:
+        """The recommended table."""
+        return next(entry for entry in self.winners if entry.name == self.recommended)
+
+    def describe(self, values: Array) -> str:
+        """Return a parameter set in words, angles in degrees."""
+        parts = []
+        for axis, value in zip(self.axes, values, strict=True):
+            shown = f"{np.degrees(value):.1f}°" if axis.unit == "rad" else f"{value:.3g}"
+            parts.append(f"{axis.name.replace('_', ' ')} {shown}")
+        return ", ".join(parts)

@@ -1,0 +1,88 @@
+"""The report's HTML page."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from jinja2 import Environment, PackageLoader, StrictUndefined
+
+from pipeline.report.figures import PICTURES
+from pipeline.report.material import Entry, Material
+from pipeline.report.style import percent
+
+
+def html(material: Material, pictures: Sequence[str]) -> bytes:
+    """Return the page; ``pictures`` names the figures that lie beside it."""
+    page = _TEMPLATES.get_template("index.html.j2").render(
+        name=material.name,
+        title=material.light.title,
+        best=_row(material, material.best),
+        tables=[_row(material, e) for e in material.winners],
+        references=[_row(material, e) for e in material.references],
+        conventions=material.conventions,
+        pictures=[(name, PICTURES[name]) for name in pictures],
+        degrees=_degrees(material),
+        facts=_facts(material),
+        settings=json.dumps(material.settings, indent=2),
+        environment={k: v if isinstance(v, str) else " ".join(v) for k, v in material.environment.items()},
+        keys=material.keys,
+    )
+    return page.encode()
+
+
+def _row(material: Material, entry: Entry) -> dict[str, Any]:
+    e_mean, e_max = entry.headline
+    strict = [percent(float(e[:, -1].max())) for e in entry.e_mean[1:]]
+    return {
+        "name": entry.name,
+        "bands": entry.table.bands,
+        "basis": entry.table.basis,
+        "degrees": ", ".join(map(str, entry.table.degrees)),
+        "dtype": str(entry.table.dtype),
+        "coefficients": entry.table.coefficients.size,
+        "bytes": entry.table.bytes,
+        "e_mean": percent(e_mean),
+        "e_max": percent(e_max),
+        "stricter": strict,
+        "rel_l2": percent(float(entry.rel_l2[:, -1].max())),
+        "worst": material.describe(entry.worst),
+        "condition": None if entry.condition is None else f"{entry.condition:.2g}",
+    }
+
+
+def _facts(material: Material) -> dict[str, str]:
+    sets = int(np.prod([nodes.size for nodes in material.grid]))
+    random = material.settings["truth"]["random"]
+    return {
+        "Light": material.light.title,
+        "Axes": "; ".join(f"{a.name} [{a.low:.6g}, {a.high:.6g}] {a.unit}, map {a.map}" for a in material.axes),
+        "Truth": f"{material.rule['rule']} quadrature, {material.rule['nodes']} nodes, estimated error "
+        f"{material.rule['estimate']:.1e} of each set's largest weight",
+        "Verification": f"{sets} grid sets that share no interior node with the fit grid, and {random} random sets",
+        "Stored orders": "m >= 0 (the light is mirror-symmetric about the sun's azimuth)" if material.mirrored else "all",
+        "Condition number of the fit": f"{material.condition:.3g}",
+        "Least luminance over all sets": f"{material.least.min():.5g} cd/m2",
+    }
+
+
+def _degrees(material: Material) -> dict[str, Any] | None:
+    """The degree by degree table of the recommended bands, for two axes."""
+    if len(material.axes) != 2 or len(material.sweep.degrees) < 2:
+        return None
+    error = material.sweep.e_mean[0, :, :, material.best.table.bands - 1].max(axis=1)
+    cells = {tuple(d): percent(float(e)) for d, e in zip(material.sweep.degrees.tolist(), error, strict=True)}
+    first, second = (np.unique(material.sweep.degrees[:, i]).tolist() for i in (0, 1))
+    return {
+        "first": first,
+        "rows": [(d, [cells[f, d] for f in first]) for d in second],
+        "names": [axis.name.replace("_", " ") for axis in material.axes],
+        "bands": material.best.table.bands,
+    }
+
+
+_TEMPLATES = Environment(
+    loader=PackageLoader("pipeline.report"), undefined=StrictUndefined, autoescape=True, trim_blocks=True, lstrip_blocks=True
+)

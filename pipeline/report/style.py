@@ -1,0 +1,43 @@
+"""How pictures look: colours that colour-blind readers can tell apart, sizes, and bytes without dates."""
+
+from __future__ import annotations
+
+import io
+
+import numpy as np
+from matplotlib.figure import Figure
+
+# Okabe and Ito's palette.
+BLUE, ORANGE, GREEN, PURPLE, SKY, YELLOW, RED, BLACK = (
+    "#0072B2",
+    "#E69F00",
+    "#009E73",
+    "#CC79A7",
+    "#56B4E9",
+    "#F0E442",
+    "#D55E00",
+    "#000000",
+)
+SERIES = (BLUE, RED, GREEN, PURPLE, ORANGE, SKY, BLACK)
+MARKERS = ("o", "s", "^", "D", "v", "P", "X")
+ERROR_MAP = "viridis"
+SIGNED_MAP = "PuOr"
+_DPI = 110
+
+
+def figure(width: float, height: float) -> Figure:
+    """Return an empty figure of that size in inches, laid out so that labels do not collide."""
+    return Figure(figsize=(width, height), dpi=_DPI, layout="constrained")
+
+
+def png(drawn: Figure) -> bytes:
+    """Return a figure's bytes; equal figures give equal bytes."""
+    out = io.BytesIO()
+    drawn.savefig(out, format="png", metadata={"Software": None})
+    return out.getvalue()
+
+
+def percent(value: float) -> str:
+    """Return a fraction as per cent to three digits, never in exponents."""
+    shown = f"{100 * value:.3g}"
+    return f"{shown if 'e' not in shown else np.format_float_positional(float(shown), trim='-')} %"

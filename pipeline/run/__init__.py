@@ -1,0 +1,1 @@
+"""Runs: plan, cache, Dask, progress. The only place where all meet."""

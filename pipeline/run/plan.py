@@ -1,0 +1,112 @@
+"""A run as a list of steps, each cached under a key of its own inputs only."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from pipeline.run.executors import Advance
+from pipeline.store import hdf5
+from pipeline.store.dataset import Dataset
+from pipeline.store.hdf5 import SCHEMA_VERSION
+from pipeline.store.keys import code_version, digest
+from pipeline.store.store import Store
+
+Inputs = Mapping[str, Dataset]
+
+
+@dataclass(frozen=True)
+class Step:
+    """One artifact to make.
+
+    ``stage`` is what it belongs to, ``part`` tells several of a stage apart; ``code`` names the parts of the package
+    it runs, ``inputs`` the steps it reads, ``parameters`` (JSON-like) all else that decides its result.
+    """
+
+    stage: str
+    part: str
+    code: tuple[str, ...]
+    inputs: tuple[str, ...]
+    parameters: Any
+    make: Callable[[Inputs, Advance], Dataset]
+
+    @property
+    def name(self) -> str:
+        """Name within the plan, e.g. ``truth/grid``."""
+        return f"{self.stage}/{self.part}" if self.part else self.stage
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What became of a step."""
+
+    step: Step
+    key: str
+    seconds: float
+    cached: bool
+
+
+def keys(plan: Sequence[Step]) -> dict[str, str]:
+    """Return each step's key by name: its stage, code, parameters and its inputs' keys, nothing else."""
+    known: dict[str, str] = {}
+    for step in plan:
+        known[step.name] = digest(
+            {
+                "stage": step.name,
+                "schema": SCHEMA_VERSION,
+                "code": code_version(step.code),
+                "parameters": step.parameters,
+                "inputs": {name: known[name] for name in step.inputs},
+            }
+        )
+    return known
+
+
+def execute(
+    plan: Sequence[Step],
+    store: Store,
+    provenance: Mapping[str, Any],
+    bar: Callable[[str], Any],
+    warn: Callable[[str], None],
+    wanted: Sequence[str],
+) -> tuple[dict[str, Outcome], dict[str, Dataset]]:
+    """Make what the store lacks, in the plan's order; return every step's outcome and the artifacts ``wanted`` by name.
+
+    Artifacts are read only where a step needs them. One that is corrupt is made again, with a warning.
+    """
+    names = keys(plan)
+    steps = {step.name: step for step in plan}
+    loaded: dict[str, Dataset] = {}
+    outcomes: dict[str, Outcome] = {}
+
+    def obtain(name: str) -> Dataset:
+        if name in loaded:
+            return loaded[name]
+        step, key = steps[name], names[name]
+        start = time.perf_counter()
+        if store.has(step.stage, key):
+            try:
+                loaded[name] = store.get(step.stage, key)
+            except hdf5.CorruptArtifactError as error:
+                warn(str(error))
+            else:
+                outcomes.setdefault(name, Outcome(step, key, time.perf_counter() - start, cached=True))
+                return loaded[name]
+        inputs = {needed: obtain(needed) for needed in step.inputs}
+        start = time.perf_counter()
+        with bar(step.name) as advance:
+            made = step.make(inputs, advance)
+        stamped = Dataset(made.variables, {**made.attrs, "step": name, "key": key, **provenance})
+        store.put(step.stage, key, stamped)
+        loaded[name] = stamped
+        outcomes[name] = Outcome(step, key, time.perf_counter() - start, cached=False)
+        return stamped
+
+    for step in plan:
+        if store.has(step.stage, names[step.name]) and step.name not in wanted:
+            outcomes.setdefault(step.name, Outcome(step, names[step.name], 0.0, cached=True))
+        else:
+            obtain(step.name)
+    return outcomes, {name: loaded[name] for name in wanted}

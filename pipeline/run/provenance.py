@@ -1,0 +1,34 @@
+"""What an artifact says about where it comes from: config, versions, CPU. No dates, no places."""
+
+from __future__ import annotations
+
+import platform
+from functools import lru_cache
+from importlib.metadata import version
+from typing import Any
+
+import numpy as np
+
+from pipeline import __version__
+from pipeline.config.schema import Config
+
+_LIBRARIES = ("numpy", "scipy", "h5py", "dask")
+
+
+@lru_cache(maxsize=1)
+def environment() -> dict[str, Any]:
+    """Return versions of everything that computes, and the CPU features NumPy found: they decide the last bits."""
+    found = np.show_config(mode="dicts") or {}
+    features = found.get("SIMD Extensions", {})
+    return {
+        "skylight_sh": __version__,
+        "python": platform.python_version(),
+        "machine": platform.machine(),
+        "cpu_features": sorted(set(features.get("baseline", [])) | set(features.get("found", []))),
+        **{name: version(name) for name in _LIBRARIES},
+    }
+
+
+def settings(config: Config) -> dict[str, Any]:
+    """Return the config as JSON-like data, without what changes no result (where the work is done)."""
+    return config.model_dump(mode="json", exclude={"run"})

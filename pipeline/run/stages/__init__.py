@@ -1,0 +1,1 @@
+"""Stages: thin functions around the numerics, one file a stage."""

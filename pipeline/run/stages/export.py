@@ -1,0 +1,94 @@
+"""Export: every winner as a C header and an NPZ, and the summary that names them."""
+
+from __future__ import annotations
+
+import dataclasses
+import io
+import json
+from collections.abc import Mapping
+from functools import partial
+from typing import Any
+
+from pipeline.config.names import table_names, winner_names
+from pipeline.config.schema import Config
+from pipeline.export import c_header, npz
+from pipeline.run.executors import Advance
+from pipeline.run.plan import Inputs, Step
+from pipeline.run.provenance import environment, settings
+from pipeline.run.stages.files import to_dataset
+from pipeline.store.dataset import Dataset
+from pipeline.table.table import Table
+
+_CODE = ("light", "sphere", "fit", "table", "export", "config/names.py", "run/stages/export.py", "run/stages/files.py")
+
+
+def steps(config: Config) -> list[Step]:
+    """Return the export's step."""
+    parameters = {"config": settings(config), "environment": environment()}
+    return [Step("export", "", _CODE, ("select",), parameters, partial(_make, config))]
+
+
+def table_of(select: Dataset, name: str) -> Table:
+    """Return a winner from the selection's artifact."""
+    return npz.read(io.BytesIO(select[f"tables/{name}/npz"].tobytes()))
+
+
+def facts_of(config: Config, select: Dataset, name: str) -> dict[str, Any]:
+    """Return one row of the summary: a table's name, place, size and measured errors."""
+    table = table_of(select, name)
+    place = "export" if name == config.export.recommended else f"export/{name}"
+    return {
+        "name": name,
+        "path": place,
+        "bands": table.bands,
+        "dtype": str(table.dtype),
+        "bytes": table.bytes,
+        "coefficients": int(table.coefficients.size),
+        "e_mean": float(select[f"tables/{name}/e_mean"][0, :, -1].max()),
+        "e_max": float(select[f"tables/{name}/e_max"][0, :, -1].max()),
+        "l_min": str(select.attrs["conventions"]).split(",")[0],
+    }
+
+
+def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
+    select = inputs["select"]
+    names = table_names(config)
+    budgets: Mapping[str, float | None] = {
+        name: budget
+        for winner in config.winners
+        for name, budget in zip(winner_names(winner), winner.budgets or (None,), strict=True)
+    }
+    files: dict[str, bytes] = {}
+    rows = []
+    for done, name in enumerate(names):
+        advance(done, len(names))
+        row = facts_of(config, select, name)
+        rows.append(row)
+        provenance = {
+            "table": name,
+            "budget": budgets[name],
+            "e_mean": row["e_mean"],
+            "e_max": row["e_max"],
+            "l_min": row["l_min"],
+            "config": settings(config),
+            "environment": environment(),
+            "keys": {"select": str(select.attrs["key"])},
+        }
+        table = dataclasses.replace(table_of(select, name), provenance=provenance)
+        facts = c_header.Facts(config.light.title, row["e_mean"], row["e_max"], row["l_min"], _lines(config, provenance))
+        files[f"{row['path']}/skylight_sh.npz"] = npz.write(table)
+        files[f"{row['path']}/skylight_sh.h"] = c_header.write(table, facts, config.export.prefix).encode()
+    summary = {"config": settings(config), "recommended": config.export.recommended, "tables": rows}
+    files["summary.json"] = (json.dumps(summary, indent=2) + "\n").encode()
+    return to_dataset(files)
+
+
+def _lines(config: Config, provenance: Mapping[str, Any]) -> list[str]:
+    env = provenance["environment"]
+    versions = ", ".join(f"{name} {env[name]}" for name in ("python", "numpy", "scipy", "h5py", "dask"))
+    return [
+        f"config {config.name}, table {provenance['table']}",
+        f"selection {provenance['keys']['select']}",
+        versions,
+        f"{env['machine']}: {' '.join(env['cpu_features'])}",
+    ]

@@ -1,0 +1,189 @@
+"""Fit: one fit of the whole grid, its sweep over degrees and bands, and the fits shown beside it."""
+
+from __future__ import annotations
+
+from functools import partial
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pipeline import sphere
+from pipeline.config.schema import Config, ReferenceSection
+from pipeline.export import npz
+from pipeline.fit import solve
+from pipeline.fit.axes import Axis
+from pipeline.fit.bases import BASES
+from pipeline.fit.errors import Reference, mean_luminance
+from pipeline.fit.sweep import sweep
+from pipeline.run.executors import Advance
+from pipeline.run.plan import Inputs, Step
+from pipeline.run.stages.axes import axes_of, fit_nodes
+from pipeline.store.dataset import Dataset, Variable
+from pipeline.table.measure import measure
+from pipeline.table.table import Table, pack
+
+Array = NDArray[np.float64]
+
+_CODE = ("light", "sphere", "fit", "table", "export/npz.py", "run/stages/fit.py", "run/stages/axes.py")
+
+
+def truth_inputs(config: Config) -> tuple[str, ...]:
+    """Return the names of the truth steps that errors are measured on."""
+    return ("truth/verification", *(("truth/random",) if config.truth.random else ()))
+
+
+def steps(config: Config) -> list[Step]:
+    """Return the fit's step."""
+    parameters = {
+        "axes": [axis.model_dump(mode="json") for axis in config.axes],
+        "fit": config.fit.model_dump(mode="json"),
+        "light": vars(config.light),
+    }
+    return [Step("fit", "", _CODE, ("truth/grid", *truth_inputs(config)), parameters, partial(_make, config))]
+
+
+def reference_of(config: Config, inputs: Inputs) -> Reference:
+    """Gather the verification grid and the random sets into what errors are measured against."""
+    parts = [inputs[name] for name in truth_inputs(config)]
+    names = [axis.name for axis in config.axes]
+    parameters = []
+    for part in parts:
+        columns = [part[name] for name in names]
+        if "set" not in part.variables:
+            columns = [c.ravel() for c in np.meshgrid(*columns, indexing="ij")]
+        parameters.append(np.stack(columns, axis=-1))
+    weights = np.concatenate([p["weights"].reshape(-1, *p["weights"].shape[-2:]) for p in parts])
+    return Reference(
+        parameters=np.concatenate(parameters),
+        weights=weights,
+        degrees=parts[0]["degree"],
+        least=np.concatenate([p["least_luminance"].ravel() for p in parts]),
+        mean=mean_luminance(weights[:, :, 0], config.light.luminance_row),
+    )
+
+
+def prefactor_of(config: Config) -> tuple[str, tuple[float, ...]] | None:
+    """Return the name and constants of the prefactor that the config's fit divides by, or None."""
+    hint = config.light.hints.prefactor
+    return (hint.name, hint.constants) if config.fit.prefactor and hint else None
+
+
+def prefactor_at(config: Config, parameters: Array) -> Array:
+    """Return the prefactor at parameter sets ``(n, axes)``, shape ``(n,)``; ones where there is none."""
+    hint = config.light.hints.prefactor
+    if not (config.fit.prefactor and hint):
+        return np.ones(len(parameters))
+    named = {axis.name: parameters[:, i] for i, axis in enumerate(config.axes)}
+    return np.asarray(hint.evaluate(named, hint.constants), dtype=np.float64)
+
+
+def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
+    grid = inputs["truth/grid"]
+    samples = grid["weights"]
+    shape, outputs = samples.shape[:-2], samples.shape[-2:]
+    axes, nodes = axes_of(config), fit_nodes(config)
+    mirrored = bool(grid.attrs["mirrored"])
+    flat = np.stack([c.ravel() for c in np.meshgrid(*nodes, indexing="ij")], axis=-1)
+    scaled = samples / prefactor_at(config, flat).reshape(*shape, 1, 1)
+    basis = BASES[config.fit.basis]
+    matrices = [basis.vander(a.scaled(n), s.degrees[1]) for a, n, s in zip(axes, nodes, config.axes, strict=True)]
+    flattened = scaled.reshape(*shape, -1)
+    if config.fit.solver == "normal":
+        solution = solve.fit_full(flattened, matrices, "normal")
+    else:
+        solution = solve.fit_tensor(flattened, matrices)
+    coefficients = solution.reshape(*outputs, *solution.shape[1:])
+
+    reference = reference_of(config, inputs)
+    total = 1 + len(config.fit.references)
+    advance(0, total)
+    variables = _swept(config, coefficients, axes, reference)
+    powers = tuple(f"power_{axis.name}" for axis in axes)
+    variables["coefficients"] = Variable(("channel", "weight", *powers), coefficients)
+    variables["condition"] = Variable((), np.array(solve.condition(matrices)))
+    for done, section in enumerate(config.fit.references, start=1):
+        advance(done, total)
+        variables |= _referenced(config, section, samples, axes, nodes, mirrored, reference)
+    return Dataset(variables, {"mirrored": mirrored, "conventions": ",".join(reference.l_min)})
+
+
+def _swept(config: Config, coefficients: Array, axes: tuple[Axis, ...], reference: Reference) -> dict[str, Variable]:
+    vander = BASES[config.fit.basis].vander
+    vanders = [
+        vander(axis.scaled(reference.parameters[:, i]), s.degrees[1])
+        for i, (axis, s) in enumerate(zip(axes, config.axes, strict=True))
+    ]
+    degrees = [range(s.degrees[0], s.degrees[1] + 1) for s in config.axes]
+    factor = prefactor_at(config, reference.parameters)
+    worst = sweep(coefficients, vanders, factor, reference, degrees, config.truth.bands)
+    dims = ("combination", "channel", "bands")
+    return {
+        "sweep/degrees": Variable(("combination", "axis"), np.array(worst.degrees)),
+        "sweep/e_max": Variable(("l_min", *dims), np.stack(list(worst.e_max.values()))),
+        "sweep/e_mean": Variable(("l_min", *dims), np.stack(list(worst.e_mean.values()))),
+        "sweep/at": Variable(("l_min", *dims, "axis"), reference.parameters[np.stack(list(worst.at.values()))]),
+        "sweep/rel_l2": Variable(dims, worst.rel_l2),
+    }
+
+
+def _referenced(
+    config: Config,
+    section: ReferenceSection,
+    samples: Array,
+    axes: tuple[Axis, ...],
+    nodes: list[Array],
+    mirrored: bool,
+    reference: Reference,
+) -> dict[str, Variable]:
+    table, condition = fit_reference(config, section, samples, axes, nodes, mirrored)
+    measured = measure(table, reference)
+    start = f"references/{section.name}"
+    dims = ("l_min", "channel", "bands")
+    return {
+        f"{start}/npz": Variable(("byte",), np.frombuffer(npz.write(table), dtype=np.uint8)),
+        f"{start}/condition": Variable((), np.array(condition)),
+        f"{start}/e_max": Variable(dims, measured.e_max),
+        f"{start}/e_mean": Variable(dims, measured.e_mean),
+        f"{start}/at": Variable((*dims, "axis"), reference.parameters[measured.at]),
+        f"{start}/rel_l2": Variable(dims[1:], measured.rel_l2),
+    }
+
+
+def fit_reference(
+    config: Config, section: ReferenceSection, samples: Array, axes: tuple[Axis, ...], nodes: list[Array], mirrored: bool
+) -> tuple[Table, float]:
+    """Fit a reference by its own basis, solver and variables; return its table and its system's condition number."""
+    kind = "identity" if section.scaled else "raw"
+    plain = tuple(Axis(a.name, a.low, a.high, a.unit, kind) for a in axes)
+    vander = BASES[section.basis].vander
+    matrices = [vander(a.scaled(n), d) for a, n, d in zip(plain, nodes, section.degrees, strict=True)]
+    solution = solve.fit_full(samples.reshape(-1, samples.shape[-2] * samples.shape[-1]), matrices, section.solver)
+    dense = solution.reshape(*samples.shape[-2:], *solution.shape[1:])
+    table = whole_table(config, dense, plain, section.basis, section.dtype, None, config.truth.bands, mirrored)
+    return table, solve.condition(matrices)
+
+
+def whole_table(
+    config: Config,
+    dense: Array,
+    axes: tuple[Axis, ...],
+    basis: str,
+    dtype: str,
+    prefactor: tuple[str, tuple[float, ...]] | None,
+    bands: int,
+    mirrored: bool,
+) -> Table:
+    """Make a table of every coefficient of ``dense`` ``(channels, count, d_1+1, ..)`` for the first ``bands`` bands."""
+    dense = dense[:, : sphere.count(bands, mirrored=mirrored)]
+    lengths = np.full((*dense.shape[:2], *dense.shape[3:]), dense.shape[2])
+    return pack(
+        dense,
+        lengths,
+        axes=axes,
+        channels=config.light.channels,
+        bands=bands,
+        mirrored=mirrored,
+        basis=basis,
+        dtype=dtype,
+        prefactor=prefactor,
+    )

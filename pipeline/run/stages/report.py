@@ -1,0 +1,98 @@
+"""Report: the page, its pictures and the table of errors."""
+
+from __future__ import annotations
+
+import io
+from functools import partial
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pipeline.config.names import table_names
+from pipeline.config.schema import Config
+from pipeline.export import npz
+from pipeline.run.executors import Advance
+from pipeline.run.plan import Inputs, Step
+from pipeline.run.provenance import environment, settings
+from pipeline.run.stages.axes import axes_of
+from pipeline.run.stages.files import to_dataset
+from pipeline.store.dataset import Dataset
+from pipeline.truth import sampling
+
+Array = NDArray[np.float64]
+
+_CODE = ("report", "light", "sphere", "fit", "table", "truth", "export/npz.py", "run/stages/report.py")
+_INPUTS = ("truth/rule", "truth/verification", "fit", "select")
+
+
+def steps(config: Config) -> list[Step]:
+    """Return the report's step."""
+    parameters = {"config": settings(config), "environment": environment()}
+    return [Step("report", "", _CODE, _INPUTS, parameters, partial(_make, config))]
+
+
+def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
+    # Drawing libraries take longer to import than a cached run takes.
+    from pipeline.report import errors, page, style
+    from pipeline.report.figures import PICTURES
+
+    material = _material(config, inputs)
+    wanted = [name for name in PICTURES if name in config.report.figures]
+    files = {"errors.csv": errors.csv(material)}
+    shown = []
+    for done, name in enumerate(wanted):
+        advance(done, len(wanted))
+        figure = PICTURES[name].draw(material)
+        if figure is not None:
+            files[f"figures/{name}.png"] = style.png(figure)
+            shown.append(name)
+    files["index.html"] = page.html(material, shown)
+    return to_dataset(files)
+
+
+def _material(config: Config, inputs: Inputs):  # type: ignore[no-untyped-def]
+    from pipeline.report.material import Material, Sweep
+
+    fit, select, grid, rule = (inputs[name] for name in ("fit", "select", "truth/verification", "truth/rule"))
+    names = tuple(axis.name for axis in config.axes)
+
+    def sample(values: Array) -> Array:
+        nodes, mirrored = int(rule.attrs["nodes"]), bool(rule.attrs["mirrored"])
+        job = sampling.Job(config.light, names, values.reshape(1, 1, -1), nodes, config.truth.bands, mirrored)
+        return sampling.project_block(job).weights[0, 0]
+
+    return Material(
+        name=config.name,
+        basis=config.fit.basis,
+        light=config.light,
+        axes=axes_of(config),
+        conventions=tuple(str(select.attrs["conventions"]).split(",")),
+        winners=tuple(_entry(select, f"tables/{name}", name) for name in table_names(config)),
+        references=tuple(_entry(fit, f"references/{r.name}", r.name) for r in config.fit.references),
+        recommended=config.export.recommended,
+        sweep=Sweep(**{key: fit[f"sweep/{key}"] for key in ("degrees", "e_max", "e_mean", "rel_l2", "at")}),
+        grid=tuple(grid[name] for name in names),
+        least=grid["least_luminance"],
+        bands=config.truth.bands,
+        mirrored=bool(rule.attrs["mirrored"]),
+        condition=float(fit["condition"]),
+        cases={case.title: np.array([case.at[name] for name in names]) for case in config.report.cases},
+        sample=sample,
+        settings=settings(config),
+        environment=environment(),
+        keys={name: str(inputs[name].attrs["key"]) for name in _INPUTS},
+        rule=rule.attrs,
+    )
+
+
+def _entry(artifact: Dataset, start: str, name: str):  # type: ignore[no-untyped-def]
+    from pipeline.report.material import Entry
+
+    optional = {key: artifact[f"{start}/{key}"] for key in ("per_set", "condition") if f"{start}/{key}" in artifact.variables}
+    return Entry(
+        name=name,
+        table=npz.read(io.BytesIO(artifact[f"{start}/npz"].tobytes())),
+        **{key: artifact[f"{start}/{key}"] for key in ("e_max", "e_mean", "rel_l2", "at")},
+        per_set=optional.get("per_set"),
+        condition=float(optional["condition"]) if "condition" in optional else None,
+    )

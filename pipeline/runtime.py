@@ -1,0 +1,77 @@
+"""Evaluate an exported table: ``load("skylight_sh.npz").weights(sun_zenith, sun_azimuth, turbidity)``. Needs NumPy only."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from pipeline import sphere
+from pipeline.export import npz
+from pipeline.table.table import Table, full_weights
+
+OK, CLAMPED, INVALID = 0, 1, 2
+
+
+def load(path: str | Path) -> Runtime:
+    """Load a table from an exported NPZ. Raises ValueError where the file is not one."""
+    return Runtime(npz.read(path))
+
+
+@dataclass(frozen=True)
+class Runtime:
+    """An exported table, ready to evaluate in its own number type, like the C header."""
+
+    table: Table
+
+    @property
+    def inputs(self) -> tuple[str, ...]:
+        """Names of the inputs in order: the first axis, ``sun_azimuth``, the other axes."""
+        first, *rest = (axis.name for axis in self.table.axes)
+        return (first, "sun_azimuth", *rest)
+
+    def weights(
+        self, *values: ArrayLike, bands: int | None = None, window: bool = False, **named: ArrayLike
+    ) -> NDArray[np.floating]:
+        """Return SH weights ``(..., channels, N*N)`` for inputs that broadcast to ``(...)``, angles in radians.
+
+        Inputs come in the order of ``inputs`` or by name. Out-of-range inputs are clamped, a NaN (or an infinite
+        azimuth) gives zeros; ``status`` tells which. ``bands`` cuts to fewer bands, ``window`` applies the zonal
+        window of eq. 5. Raises TypeError for a missing or unknown input, ValueError for impossible bands.
+        """
+        return self.weights_and_status(*values, bands=bands, window=window, **named)[0]
+
+    def status(self, *values: ArrayLike, **named: ArrayLike) -> NDArray[np.int64]:
+        """Return, for each set of inputs, what the C header returns: 0, 1 where clamped, 2 where invalid."""
+        return self.weights_and_status(*values, bands=1, **named)[1]
+
+    def weights_and_status(
+        self, *values: ArrayLike, bands: int | None = None, window: bool = False, **named: ArrayLike
+    ) -> tuple[NDArray[np.floating], NDArray[np.int64]]:
+        """Return ``weights`` and ``status`` of one evaluation."""
+        table = self.table
+        bands = table.bands if bands is None else bands
+        if not 1 <= bands <= table.bands:
+            raise ValueError(f"Invalid bands {bands}. Should be 1 to {table.bands}, the bands of this table.")
+        inputs = np.broadcast_arrays(*(np.asarray(v, dtype=np.float64) for v in self._bind(values, named)))
+        shape = inputs[0].shape
+        columns = np.stack([v.ravel() for v in inputs], axis=-1)
+        invalid = np.isnan(columns).any(axis=1) | np.isinf(columns[:, 1])
+        columns = np.where(invalid[:, np.newaxis], 0.0, columns)
+        clamped, outside = table.clamp(np.delete(columns, 1, axis=1))
+        full = full_weights(table, table.evaluate(clamped), bands)
+        out = sphere.rotate_azimuth(full, columns[:, 1, np.newaxis])
+        if window:
+            out = out * sphere.zonal_sinc(bands).astype(out.dtype)
+        out[invalid] = 0.0
+        status = np.where(invalid, INVALID, np.where(outside, CLAMPED, OK))
+        return out.reshape(*shape, len(table.channels), bands * bands), status.reshape(shape)
+
+    def _bind(self, values: tuple[ArrayLike, ...], named: dict[str, ArrayLike]) -> list[ArrayLike]:
+        names = self.inputs
+        given = dict(zip(names, values, strict=False)) | named
+        if len(values) > len(names) or len(given) < len(values) + len(named) or set(given) != set(names):
+            raise TypeError(f"weights() takes exactly the inputs {', '.join(names)}, by position or by name.")
+        return [given[name] for name in names]

@@ -1,0 +1,20 @@
+"""Spherical harmonics: basis, indices, rotations and windows. Pure numerics."""
+
+from pipeline.sphere._basis import basis, evaluate, legendre
+from pipeline.sphere._indexing import check_bands, count, degrees_orders, flat_index, unmirror
+from pipeline.sphere._rotation import rotate_azimuth, rotate_y
+from pipeline.sphere._windows import zonal_sinc
+
+__all__ = [
+    "basis",
+    "check_bands",
+    "count",
+    "degrees_orders",
+    "evaluate",
+    "flat_index",
+    "legendre",
+    "rotate_azimuth",
+    "rotate_y",
+    "unmirror",
+    "zonal_sinc",
+]

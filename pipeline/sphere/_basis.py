@@ -1,0 +1,71 @@
+"""Real orthonormal spherical harmonics without the Condon-Shortley sign.
+
+``y_lm = Pbar_lm(cos theta) * cos(m phi)`` for m >= 0 and ``Pbar_l|m| * sin(|m| phi)`` for m < 0, where
+``Pbar`` carries the whole normalisation: the integral of ``y_lm**2`` over the sphere is 1. z is up,
+theta is the angle from +z, phi runs from +x towards +y.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pipeline.sphere._indexing import check_bands, degrees_orders
+
+Array = NDArray[np.float64]
+
+
+def legendre(cos_theta: Array, sin_theta: Array, bands: int) -> Array:
+    """Evaluate the normalised associated Legendre factors ``Pbar_lm`` for all l < bands, 0 <= m <= l.
+
+    ``cos_theta`` and ``sin_theta`` have one shape ``(...)``; the sine is asked for because it is lost
+    near the poles when derived from the cosine. Returns ``(N(N+1)/2, ...)``, ordered by l, then m.
+
+    The recurrence in l at fixed m (Holmes and Featherstone 2002, eq. 11) is forward stable; see
+    ``tests/test_sphere.py`` for its error against mpmath.
+    """
+    check_bands(bands)
+    cos_theta, sin_theta = np.broadcast_arrays(cos_theta, sin_theta)
+    rows = np.empty((bands * (bands + 1) // 2, *cos_theta.shape))
+    diagonal = np.full(cos_theta.shape, np.sqrt(0.25 / np.pi))
+    for m in range(bands):
+        if m:
+            step = np.sqrt((2 * m + 1) / (2 * m)) * (np.sqrt(2.0) if m == 1 else 1.0)
+            diagonal = diagonal * (step * sin_theta)
+        rows[_row(m, m)] = diagonal
+        for l in range(m + 1, bands):
+            a = np.sqrt((4 * l * l - 1) / (l * l - m * m))
+            rows[_row(l, m)] = a * cos_theta * rows[_row(l - 1, m)]
+            if l > m + 1:
+                b = np.sqrt((2 * l + 1) * ((l - 1) ** 2 - m * m) / ((2 * l - 3) * (l * l - m * m)))
+                rows[_row(l, m)] -= b * rows[_row(l - 2, m)]
+    return rows
+
+
+def basis(directions: Array, bands: int, *, mirrored: bool = False) -> Array:
+    """Evaluate the SH basis at unit vectors.
+
+    ``directions`` has shape ``(..., 3)``. Returns ``(..., N*N)`` in flat order ``l*(l+1)+m``, or
+    ``(..., N(N+1)/2)`` with the orders m >= 0 alone where ``mirrored``.
+    """
+    x, y, z = np.moveaxis(np.asarray(directions, dtype=np.float64), -1, 0)
+    factors = legendre(z, np.hypot(x, y), bands)
+    phi = np.arctan2(y, x)
+    degrees, orders = degrees_orders(bands, mirrored=mirrored)
+    out = np.empty((*x.shape, degrees.size))
+    waves = {m: np.cos(m * phi) if m >= 0 else np.sin(-m * phi) for m in {int(m) for m in orders}}
+    for k, (l, m) in enumerate(zip(degrees.tolist(), orders.tolist(), strict=True)):
+        out[..., k] = factors[_row(l, abs(m))] * waves[m]
+    return out
+
+
+def evaluate(weights: NDArray[np.floating], directions: Array) -> Array:
+    """Sum an SH expansion: ``weights`` of shape ``(..., N*N)`` at ``directions`` of shape ``(n, 3)`` -> ``(..., n)``."""
+    bands = int(round(weights.shape[-1] ** 0.5))
+    if bands * bands != weights.shape[-1]:
+        raise ValueError(f"{weights.shape[-1]} weights are not a square number N*N of bands.")
+    return np.asarray(weights @ basis(directions, bands).T)
+
+
+def _row(degree: int, order: int) -> int:
+    return degree * (degree + 1) // 2 + order

@@ -1,0 +1,73 @@
+"""Rotations of SH weights about the zenith (eq. 4 of the paper) and about the y axis."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pipeline.sphere._indexing import degrees_orders
+
+Array = NDArray[np.float64]
+
+
+def rotate_azimuth(weights: NDArray[np.floating], azimuth: NDArray[np.floating] | float) -> NDArray[np.floating]:
+    """Turn an environment by ``azimuth`` radians about +z, from +x towards +y (Habel et al. 2008, eq. 4).
+
+    ``weights`` has shape ``(..., N*N)`` and ``azimuth`` broadcasts against ``(...)``. Exact but for
+    rounding; the result keeps the dtype of ``weights``.
+    """
+    bands = int(round(weights.shape[-1] ** 0.5))
+    degrees, orders = degrees_orders(bands)
+    partner = degrees * (degrees + 1) - orders
+    angle = np.abs(orders) * np.asarray(azimuth, dtype=np.float64)[..., np.newaxis]
+    cosine = np.cos(angle).astype(weights.dtype)
+    sine = (np.sign(orders) * np.sin(angle)).astype(weights.dtype)
+    return np.asarray(weights * cosine - weights[..., partner] * sine)
+
+
+def rotate_y(weights: Array, angles: Array, bands: int, *, mirrored: bool) -> Array:
+    """Turn environments about +y, from +z towards +x, each by its own angle in radians.
+
+    ``angles`` has shape ``(g,)`` and ``weights`` ``(g, ..., count)``, count as in ``degrees_orders``. About y the
+    orders m >= 0 and m < 0 do not mix, so a function even in y stays so.
+    """
+    degrees, orders = degrees_orders(bands, mirrored=mirrored)
+    angles = np.asarray(angles, dtype=np.float64)
+    out = np.empty(weights.shape)
+    for l in range(bands):
+        blocks = [(orders >= 0, 0)] if mirrored else [(orders >= 0, 0), (orders < 0, 1)]
+        for block, first in blocks:
+            # Orders m < 0 stand in falling |m|; the matrices count |m| upwards.
+            index = np.flatnonzero((degrees == l) & block)
+            index = index[np.argsort(np.abs(orders[index]))]
+            if index.size:
+                turn = _turn_y(l, first, angles)
+                part = weights[..., index].reshape(angles.size, -1, index.size)
+                out[..., index] = (part @ turn.swapaxes(1, 2)).reshape(*weights.shape[:-1], index.size)
+    return out
+
+
+def _turn_y(l: int, first: int, angles: Array) -> Array:
+    """Matrices ``(g, n, n)`` acting on the orders |m| = first..l of degree l.
+
+    The generator is tridiagonal with integer eigenvalues, known exactly; its eigenvectors are free of the angle
+    and give every matrix at once (Feng, Wang, Yang and Jin 2015, for Wigner's d), without a recurrence in l.
+    """
+    vectors = _generator_vectors(l, first)
+    size = l + 1 - first
+    turns = np.arange(1 - size, size, 2) * angles[:, np.newaxis]
+    even = (vectors * np.cos(turns)[:, np.newaxis, :]) @ vectors.T
+    odd = (vectors * np.sin(turns)[:, np.newaxis, :]) @ vectors.T
+    # Re(i**d * (even - i*odd)) for d = m - m' cycles through even, odd, -even, -odd.
+    phase = np.subtract.outer(np.arange(size), np.arange(size)) % 4
+    return np.choose(phase, [even, odd, -even, -odd])
+
+
+@lru_cache(maxsize=512)
+def _generator_vectors(l: int, first: int) -> Array:
+    m = np.arange(first, l)
+    off = 0.5 * np.sqrt((l - m) * (l + m + 1.0)) * np.where(m == 0, np.sqrt(2.0), 1.0)
+    vectors: Array = np.linalg.eigh(np.diag(off, 1) + np.diag(off, -1))[1]
+    return vectors

@@ -1,0 +1,96 @@
+"""Datasets as HDF5 files that xarray (h5netcdf) opens with named, unit-carrying coordinates."""
+
+from __future__ import annotations
+
+import os
+import uuid
+from pathlib import Path
+from typing import Any
+
+import h5py
+import numpy as np
+
+from pipeline.store.dataset import Dataset, Variable, checksum
+
+# 1: first layout.
+SCHEMA_VERSION = 1
+
+
+class CorruptArtifactError(RuntimeError):
+    """An artifact whose content does not match its checksum, or that cannot be read at all."""
+
+
+def write(path: Path, dataset: Dataset) -> None:
+    """Publish ``dataset`` at ``path`` atomically: a temporary file beside it, synced, then renamed."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    temporary = path.with_name(f".{path.stem}.{uuid.uuid4().hex}.partial")
+    try:
+        with h5py.File(temporary, "w", libver="v110", track_order=False) as file:
+            for name in sorted(dataset.variables):
+                _write_variable(file, name, dataset.variables[name])
+            _attach_scales(file, dataset)
+            for key in sorted(dataset.attrs):
+                file.attrs[key] = dataset.attrs[key]
+            file.attrs["content_sha256"] = checksum(dataset)
+            file.attrs["schema_version"] = SCHEMA_VERSION
+        with open(temporary, "rb+") as written:
+            os.fsync(written.fileno())
+        os.replace(temporary, path)
+    finally:
+        temporary.unlink(missing_ok=True)
+
+
+def read(path: Path) -> Dataset:
+    """Read a dataset and check its content. Raises CorruptArtifactError where it does not hold."""
+    try:
+        with h5py.File(path, "r") as file:
+            variables: dict[str, Variable] = {}
+
+            def visit(name: str, item: object) -> None:
+                if isinstance(item, h5py.Dataset):
+                    variables[name] = _read_variable(item)
+
+            file.visititems(visit)
+            attrs = {key: _plain(value) for key, value in file.attrs.items()}
+    except (OSError, KeyError, RuntimeError) as error:
+        raise CorruptArtifactError(f"{path} cannot be read ({error}). Delete it; the next run makes it again.") from error
+    expected = attrs.pop("content_sha256", None)
+    attrs.pop("schema_version", None)
+    dataset = Dataset(variables, attrs)
+    if checksum(dataset) != expected:
+        raise CorruptArtifactError(f"{path} does not match its checksum. Delete it; the next run makes it again.")
+    return dataset
+
+
+def _write_variable(file: Any, name: str, variable: Variable) -> None:
+    data = variable.data
+    kind = {"dtype": h5py.string_dtype()} if data.dtype.kind in "OUT" else {}
+    item = file.create_dataset(name, data=data.astype(object) if kind else data, track_times=False, **kind)
+    item.attrs["dims"] = " ".join(variable.dims)
+    for key in sorted(variable.attrs):
+        item.attrs[key] = variable.attrs[key]
+
+
+def _attach_scales(file: Any, dataset: Dataset) -> None:
+    scales = [name for name, v in dataset.variables.items() if v.dims == (name,)]
+    for name in sorted(scales):
+        file[name].make_scale(name)
+    for name in sorted(dataset.variables):
+        variable = dataset.variables[name]
+        if variable.dims != (name,):
+            for i, dim in enumerate(variable.dims):
+                if dim in scales:
+                    file[name].dims[i].attach_scale(file[dim])
+
+
+_OWN_ATTRIBUTES = ("dims", "CLASS", "NAME", "DIMENSION_LIST", "REFERENCE_LIST")
+
+
+def _read_variable(item: Any) -> Variable:
+    data = item.asstr()[()] if h5py.check_string_dtype(item.dtype) else item[()]
+    attrs = {key: _plain(value) for key, value in item.attrs.items() if key not in _OWN_ATTRIBUTES}
+    return Variable(tuple(str(item.attrs["dims"]).split()), np.asarray(data), attrs)
+
+
+def _plain(value: Any) -> Any:
+    return value.item() if isinstance(value, np.generic) else value

@@ -1,0 +1,89 @@
+"""The artifact store: ``artifacts/<stage>/<key>.h5``, and what each run still needs."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import time
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from pipeline.store import hdf5
+from pipeline.store.dataset import Dataset
+
+_KEY = re.compile(r"[0-9a-f]{64}")
+# A temporary file younger than this may belong to a run under way.
+_STALE_SECONDS = 3600.0
+
+
+@dataclass(frozen=True)
+class Entry:
+    """An artifact on disk."""
+
+    stage: str
+    key: str
+    path: Path
+    size: int
+
+
+@dataclass(frozen=True)
+class Store:
+    """A folder of artifacts. Several runs may share it: an artifact is whole or absent."""
+
+    root: Path
+
+    def path(self, stage: str, key: str) -> Path:
+        """Return where the artifact of ``stage`` under ``key`` lives."""
+        return self.root / stage / f"{key}.h5"
+
+    def has(self, stage: str, key: str) -> bool:
+        """Say whether an artifact is there; ``get`` checks its content."""
+        return self.path(stage, key).is_file()
+
+    def get(self, stage: str, key: str) -> Dataset:
+        """Read an artifact. Raises CorruptArtifactError where its content does not match its checksum."""
+        return hdf5.read(self.path(stage, key))
+
+    def put(self, stage: str, key: str, dataset: Dataset) -> None:
+        """Publish an artifact atomically."""
+        hdf5.write(self.path(stage, key), dataset)
+
+    def entries(self) -> list[Entry]:
+        """Return all artifacts, by stage and key."""
+        found = [
+            Entry(path.parent.name, path.stem, path, path.stat().st_size)
+            for path in self.root.glob("*/*.h5")
+            if _KEY.fullmatch(path.stem)
+        ]
+        return sorted(found, key=lambda e: (e.stage, e.key))
+
+    def find(self, start: str) -> Entry:
+        """Return the artifact whose key starts with ``start``. Raises KeyError where none or several do."""
+        matches = [e for e in self.entries() if e.key.startswith(start)] if start else []
+        if len(matches) != 1:
+            count = "No artifact's key starts" if not matches else f"{len(matches)} artifacts' keys start"
+            raise KeyError(f"{count} with {start!r}. Give a longer or another start; `artifacts ls` lists the keys.")
+        return matches[0]
+
+    def keep(self, run: str, keys: Sequence[str]) -> None:
+        """Remember that the run named ``run`` uses ``keys``, so that ``collect`` leaves them."""
+        path = self.root / "runs" / f"{run}.json"
+        path.parent.mkdir(parents=True, exist_ok=True)
+        temporary = path.with_suffix(f".{os.getpid()}.partial")
+        temporary.write_text(json.dumps(sorted(keys), indent=1) + "\n", encoding="utf-8")
+        os.replace(temporary, path)
+
+    def collect(self) -> Iterator[Entry]:
+        """Delete, and yield, every artifact that no run's last result uses, and temporary files left behind."""
+        used: set[str] = set()
+        for path in self.root.glob("runs/*.json"):
+            used.update(json.loads(path.read_text(encoding="utf-8")))
+        for entry in self.entries():
+            if entry.key not in used:
+                entry.path.unlink()
+                yield entry
+        for path in self.root.glob("*/*.partial"):
+            if time.time() - path.stat().st_mtime > _STALE_SECONDS:
+                path.unlink()

@@ -1,0 +1,1 @@
+"""Tables: a winner packed, and its evaluation. Pure numerics."""

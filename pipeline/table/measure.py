@@ -1,0 +1,57 @@
+"""A table's errors as shipped: its own number type, evaluated in its own arithmetic."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pipeline.fit.errors import Reference, by_band
+from pipeline.table.table import Table
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Measured:
+    """Largest errors over all sets, ``(conventions, channels, bands)``, and each set's error over all the bands.
+
+    ``at`` is the set where ``e_mean`` is largest; ``rel_l2`` has no convention; ``per_set`` ``(n,)`` is the E_mean of the
+    worst channel under the first convention.
+    """
+
+    conventions: tuple[str, ...]
+    e_max: Array
+    e_mean: Array
+    at: NDArray[np.int64]
+    rel_l2: Array
+    per_set: Array
+
+
+def measure(table: Table, reference: Reference) -> Measured:
+    """Measure ``table`` against ``reference`` for its first 1, 2, .. bands."""
+    use = reference.first_bands(table.bands)
+    truth = reference.weights[..., use]
+    residual = table.evaluate(reference.parameters).astype(np.float64) - truth
+    absolute, root = by_band(residual, reference.degrees[use], table.bands)
+    norm = by_band(truth, reference.degrees[use], table.bands)[1]
+    l_min = reference.l_min
+    scales = [values[:, np.newaxis, np.newaxis] for values in l_min.values()]
+    means = np.stack([root / scale for scale in scales])
+    return Measured(
+        conventions=tuple(l_min),
+        e_max=np.stack([(absolute / scale).max(axis=0) for scale in scales]),
+        e_mean=means.max(axis=1),
+        at=means.argmax(axis=1),
+        rel_l2=(root / norm).max(axis=0),
+        per_set=means[0, :, :, -1].max(axis=1),
+    )
+
+
+def headline(table: Table, reference: Reference) -> float:
+    """Return the largest E_mean over all sets and channels under the first convention, over all the table's bands."""
+    use = reference.first_bands(table.bands)
+    residual = table.evaluate(reference.parameters).astype(np.float64) - reference.weights[..., use]
+    root = np.sqrt(np.einsum("ncw,ncw->nc", residual, residual))
+    return float((root / next(iter(reference.l_min.values()))[:, np.newaxis]).max())

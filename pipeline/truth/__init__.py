@@ -1,0 +1,1 @@
+"""Ground truth: quadrature of SH weights, one file a rule. Pure numerics."""

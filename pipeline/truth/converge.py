@@ -1,0 +1,65 @@
+"""How many nodes a rule needs for a stated tolerance, and whether a light is as symmetric as it says."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pipeline.light.protocol import Light
+from pipeline.truth import sets as parameter_sets
+from pipeline.truth.sampling import Job, peak_of, project_block
+
+Array = NDArray[np.float64]
+
+_LADDER = (24, 32, 40, 48, 56, 64, 72, 88, 104, 128, 160, 200, 256)
+_PROBES_PER_AXIS = 5
+
+
+class NotConvergedError(RuntimeError):
+    """A truth rule did not reach its tolerance within its largest number of nodes."""
+
+
+def choose_nodes(
+    light: Light, ranges: Mapping[str, tuple[float, float]], *, bands: int, mirrored: bool, tolerance: float
+) -> tuple[int, float]:
+    """Return the number of nodes that meets ``tolerance`` over the whole range, and the error estimate.
+
+    The weights of a coarse grid of parameter sets, edges and corners included, are computed with more and more nodes
+    until two runs differ by no more than ``tolerance``, relative to each set's and channel's largest weight. The
+    finer run's node count is returned; its error is far below that difference, which is the estimate.
+    Raises NotConvergedError with the difference reached.
+    """
+    names = tuple(ranges)
+    probes = parameter_sets.grid([np.linspace(low, high, _PROBES_PER_AXIS) for low, high in ranges.values()])
+    blocks = [probes[block] for block in parameter_sets.chunks(probes, peak_of(light, names), 64)]
+    estimate = np.inf
+    previous: list[Array] = []
+    for nodes in (n for n in _LADDER if n >= bands + 12):
+        current = [project_block(Job(light, names, block, nodes, bands, mirrored)).weights for block in blocks]
+        if previous:
+            estimate = max(
+                float(np.max(np.abs(new - old).max(axis=-1) / np.abs(new).max(axis=-1)))
+                for new, old in zip(current, previous, strict=True)
+            )
+            if estimate <= tolerance:
+                return nodes, estimate
+        previous = current
+    raise NotConvergedError(
+        f"The truth did not converge: {_LADDER[-1]} nodes reach {estimate:.2g} relative, but truth.tolerance is "
+        f"{tolerance:.2g}. Raise truth.tolerance, lower truth.bands or narrow the axes' ranges."
+    )
+
+
+def is_mirrored(light: Light, ranges: Mapping[str, tuple[float, float]], *, samples: int = 512, seed: int = 1) -> bool:
+    """Check by sampling that radiance is even in y, to 1e-12 of itself; a light's own hint is only a claim."""
+    rng = np.random.default_rng(seed)
+    directions = rng.normal(size=(samples, 3))
+    directions[:, 2] = np.abs(directions[:, 2])
+    directions /= np.linalg.norm(directions, axis=1, keepdims=True)
+    values = parameter_sets.random(list(ranges.values()), samples, seed)
+    parameters = {name: values[:, i] for i, name in enumerate(ranges)}
+    one = light.radiance(directions, parameters)
+    other = light.radiance(directions * np.array([1.0, -1.0, 1.0]), parameters)
+    return bool(np.all(np.abs(one - other) <= 1e-12 * np.abs(one).max(axis=1, keepdims=True)))

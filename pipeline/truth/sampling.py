@@ -1,0 +1,46 @@
+"""One block of parameter sets: its SH weights and least luminance. The unit of parallel work."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pipeline.light.protocol import Light
+from pipeline.truth import least, sun_centred
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Job:
+    """A block ``values`` ``(g, k, axes)`` of parameters called ``names``, equal along k on the peak's axis."""
+
+    light: Light
+    names: tuple[str, ...]
+    values: Array
+    nodes: int
+    bands: int
+    mirrored: bool
+
+
+def peak_of(light: Light, names: Sequence[str]) -> int | None:
+    """Return the position among ``names`` of the parameter that turns the light's peak, or None."""
+    return list(names).index(light.hints.peak_axis) if light.hints.peak_axis else None
+
+
+def project_block(job: Job) -> sun_centred.Samples:
+    """Integrate a block's SH weights, ``(g, k, channels, count)``."""
+    peak = peak_of(job.light, job.names)
+    parameters = {name: job.values[:, :1, i] if i == peak else job.values[..., i] for i, name in enumerate(job.names)}
+    return sun_centred.project(job.light, parameters, nodes=job.nodes, bands=job.bands, mirrored=job.mirrored)
+
+
+def sample_block(job: Job) -> tuple[Array, Array]:
+    """Return a block's weights ``(g, k, channels, count)`` and least luminances ``(g, k)``."""
+    samples = project_block(job)
+    flat = {name: job.values[..., i].ravel() for i, name in enumerate(job.names)}
+    lowest = least.refine(job.light, flat, samples.least_direction.reshape(-1, 3), samples.least.ravel())
+    return samples.weights, lowest.reshape(samples.least.shape)
