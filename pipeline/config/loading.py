@@ -5,6 +5,7 @@ from __future__ import annotations
 import difflib
 import json
 import tomllib
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -19,8 +20,11 @@ class ConfigError(ValueError):
     """A config that cannot be run; its text has one line a problem."""
 
 
-def load(path: str | Path) -> Config:
-    """Read and check the config at ``path``. Raises ConfigError naming every field, value and remedy."""
+def load(path: str | Path, run: Mapping[str, Any] | None = None) -> Config:
+    """Read and check the config at ``path``; ``run`` overrides keys of its [run] section.
+
+    Raises ConfigError naming every field, value and remedy.
+    """
     try:
         raw = tomllib.loads(Path(path).read_text(encoding="utf-8"))
     except tomllib.TOMLDecodeError as error:
@@ -28,6 +32,8 @@ def load(path: str | Path) -> Config:
     except (OSError, UnicodeDecodeError) as error:
         reason = error.strerror if isinstance(error, OSError) else "it is not UTF-8 text"
         raise ConfigError(f"{path} cannot be read ({reason}). Give the path of a TOML file, such as configs/preetham.toml.") from error
+    if run and isinstance(raw.get("run", {}), dict):
+        raw["run"] = {**raw.get("run", {}), **run}
     return parse(raw, str(path))
 
 

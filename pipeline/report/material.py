@@ -36,7 +36,11 @@ class Entry:
     @property
     def headline(self) -> tuple[float, float]:
         """E_mean and E_max over all bands and channels, first convention."""
-        return float(self.e_mean[0, :, -1].max()), float(self.e_max[0, :, -1].max())
+        return self.headline_at(self.table.bands)
+
+    def headline_at(self, bands: int) -> tuple[float, float]:
+        """E_mean and E_max over the first ``bands`` bands and all channels, first convention."""
+        return float(self.e_mean[0, :, bands - 1].max()), float(self.e_max[0, :, bands - 1].max())
 
     @property
     def worst(self) -> Array:

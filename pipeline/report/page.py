@@ -19,9 +19,9 @@ def html(material: Material, pictures: Sequence[str]) -> bytes:
     page = _TEMPLATES.get_template("index.html.j2").render(
         name=material.name,
         title=material.light.title,
-        best=_row(material, material.best),
-        tables=[_row(material, e) for e in material.winners],
-        references=[_row(material, e) for e in material.references],
+        best=_row(material, material.best, material.best.table.bands),
+        tables=[_row(material, e, e.table.bands) for e in material.winners],
+        references=[_row(material, e, min(e.table.bands, material.best.table.bands)) for e in material.references],
         conventions=material.conventions,
         pictures=[(name, PICTURES[name]) for name in pictures],
         degrees=_degrees(material),
@@ -33,12 +33,12 @@ def html(material: Material, pictures: Sequence[str]) -> bytes:
     return page.encode()
 
 
-def _row(material: Material, entry: Entry) -> dict[str, Any]:
-    e_mean, e_max = entry.headline
-    strict = [percent(float(e[:, -1].max())) for e in entry.e_mean[1:]]
+def _row(material: Material, entry: Entry, bands: int) -> dict[str, Any]:
+    e_mean, e_max = entry.headline_at(bands)
+    strict = [percent(float(e[:, bands - 1].max())) for e in entry.e_mean[1:]]
     return {
         "name": entry.name,
-        "bands": entry.table.bands,
+        "bands": bands,
         "basis": entry.table.basis,
         "degrees": ", ".join(map(str, entry.table.degrees)),
         "dtype": str(entry.table.dtype),
@@ -47,7 +47,7 @@ def _row(material: Material, entry: Entry) -> dict[str, Any]:
         "e_mean": percent(e_mean),
         "e_max": percent(e_max),
         "stricter": strict,
-        "rel_l2": percent(float(entry.rel_l2[:, -1].max())),
+        "rel_l2": percent(float(entry.rel_l2[:, bands - 1].max())),
         "worst": material.describe(entry.worst),
         "condition": None if entry.condition is None else f"{entry.condition:.2g}",
     }

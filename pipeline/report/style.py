@@ -6,6 +6,7 @@ import io
 
 import numpy as np
 from matplotlib.figure import Figure
+from matplotlib.ticker import FuncFormatter
 
 # Okabe and Ito's palette.
 BLUE, ORANGE, GREEN, PURPLE, SKY, YELLOW, RED, BLACK = (
@@ -35,6 +36,11 @@ def png(drawn: Figure) -> bytes:
     out = io.BytesIO()
     drawn.savefig(out, format="png", metadata={"Software": None})
     return out.getvalue()
+
+
+def percent_ticks() -> FuncFormatter:
+    """Return a formatter for axes of fractions, labelled in per cent."""
+    return FuncFormatter(lambda value, _: percent(float(value)))
 
 
 def percent(value: float) -> str:

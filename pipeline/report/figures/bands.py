@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 from matplotlib.figure import Figure
-from matplotlib.ticker import PercentFormatter
 
 from pipeline.report import style
-from pipeline.report.material import Entry, Material
+from pipeline.report.material import Material
 
 CAPTION = (
     "The paper's figure 3: the largest errors over all parameter sets and channels, in per cent of the least radiance of "
@@ -20,11 +19,10 @@ _QUOTED = ((7, 0.015), (5, 0.00005))
 
 def draw(material: Material) -> Figure:
     """Draw E_mean beside E_max, one line a table."""
-    figure = style.figure(11, 4.8)
+    figure = style.figure(11.5, 5.4)
     left, right = figure.subplots(1, 2, sharey=True)
     entries = [*material.winners, *material.references]
-    widest = max(entry.table.bands for entry in entries)
-    shown: list[Entry] = [e for e in entries if e.table.bands == widest or e in material.references or e is material.best]
+    shown = [e for e in entries if e in material.references or e.table.bands == material.best.table.bands]
     for axes, attribute, title in ((left, "e_mean", "E_mean"), (right, "e_max", "E_max")):
         for i, entry in enumerate(shown):
             errors = getattr(entry, attribute)[0].max(axis=0)
@@ -41,10 +39,10 @@ def draw(material: Material) -> Figure:
             )
         axes.set_title(f"largest {title}, L_min {material.conventions[0]}")
         axes.set_xlabel("bands N")
-        axes.yaxis.set_major_formatter(PercentFormatter(1.0, decimals=None))
+        axes.yaxis.set_major_formatter(style.percent_ticks())
         axes.grid(True, which="major", alpha=0.3)
     if material.references or material.name == "paper":
         left.plot(*zip(*_QUOTED, strict=True), "x", color="black", markersize=10, markeredgewidth=2, label="quoted by the paper")
     left.set_ylabel("error relative to L_min")
-    left.legend(fontsize=8)
+    figure.legend(*left.get_legend_handles_labels(), loc="outside lower center", ncols=4, fontsize=8)
     return figure

@@ -39,10 +39,14 @@ def draw(material: Material) -> Figure | None:
     image = axes.imshow(table, origin="lower", aspect="auto", cmap=style.ERROR_MAP, norm=LogNorm())
     middle = np.sqrt(table.min() * table.max())
     for (i, j), value in np.ndenumerate(table):
-        axes.text(j, i, f"{value:.2g}", ha="center", va="center", fontsize=6.5, color="black" if value > middle else "white")
+        axes.text(j, i, _short(value), ha="center", va="center", fontsize=6.5, color="black" if value > middle else "white")
     axes.set_xticks(range(first.size), first.tolist())
     axes.set_yticks(range(second.size), second.tolist())
     axes.set_xlabel(f"degree in {material.axes[0].name}")
     axes.set_ylabel(f"degree in {material.axes[1].name}")
     figure.colorbar(image, label="largest E_mean, % of L_min")
     return figure
+
+
+def _short(value: float) -> str:
+    return f"{value:.0f}" if value >= 10 else f"{value:.2g}"

@@ -32,7 +32,7 @@ def draw(material: Material) -> Figure:
     for panel, entry, grid in zip(panels, entries, grids, strict=False):
         x, y = _shown(first, material.grid[0]), _shown(second, material.grid[1])
         image = panel.pcolormesh(x, y, 100 * grid.T, cmap=style.ERROR_MAP, norm=LogNorm(100 * norm.vmin, 100 * norm.vmax), shading="nearest")
-        panel.plot(_shown(first, entry.worst[:1]), _shown(second, entry.worst[1:2]), "x", color=style.RED, markersize=9, markeredgewidth=2)
+        panel.plot(_shown(first, entry.worst[:1]), _shown(second, entry.worst[1:2]), "x", color=style.RED, markersize=9, markeredgewidth=2, clip_on=False, zorder=5)
         panel.set_title(f"{entry.name}: {style.percent(entry.headline[0])}", fontsize=9)
     for panel in panels[len(entries) :]:
         panel.set_axis_off()

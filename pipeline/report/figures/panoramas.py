@@ -37,8 +37,9 @@ def draw(material: Material) -> Figure:
 def _column(material: Material, panels: list, title: str, values: np.ndarray, entry: Entry, figure: Figure) -> None:
     light, table = material.light, entry.table
     names = tuple(axis.name for axis in material.axes)
-    truth = full_weights(table, material.sample(values), table.bands)
-    rebuilt = full_weights(table, table.evaluate(values[np.newaxis])[0], table.bands)
+    bands = min(table.bands, material.best.table.bands)
+    truth = full_weights(table, material.sample(values), bands)
+    rebuilt = full_weights(table, table.evaluate(values[np.newaxis])[0], bands)
     sky, true, made = panorama.sky(light, values, names), panorama.expansion(truth), panorama.expansion(rebuilt)
     white = float(np.quantile(sky[: len(sky) // 2] @ light.luminance_row, 0.98))
     for panel, picture in zip(panels, (sky, true, made), strict=False):
@@ -49,7 +50,7 @@ def _column(material: Material, panels: list, title: str, values: np.ndarray, en
     figure.colorbar(image, ax=panels[3], orientation="horizontal", label="% of L_min")
     for panel in panels:
         panel.tick_params(labelsize=7)
-    panels[0].set_title(f"{title}\n{entry.name}, N = {table.bands}\n{material.describe(values)}", fontsize=8.5)
+    panels[0].set_title(f"{title}\n{entry.name}, N = {bands}\n{material.describe(values)}", fontsize=8.5)
 
 
 def _scale(material: Material, values: np.ndarray) -> float:

@@ -12,7 +12,7 @@ from pipeline.table.table import full_weights
 
 CAPTION = (
     "The paper's figure 4: luminance of the recommended table's expansion without and with the zonal window of eq. 5, at the "
-    "middle of the parameter ranges. Purple is negative light. Right: along the sun's meridian, from the nadir through the sun to the zenith."
+    "middle of the parameter ranges. Purple is negative light; colours are stretched to show it, so that the sky itself saturates. Right: along the sun's meridian, from the nadir through the sun to the zenith."
 )
 
 
@@ -25,7 +25,8 @@ def draw(material: Material) -> Figure:
     sky = panorama.sky(material.light, values, tuple(a.name for a in material.axes)) @ row
     before = panorama.expansion(weights) @ row
     after = panorama.expansion(weights * sphere.zonal_sinc(table.bands)) @ row
-    reach = float(np.quantile(np.abs(before), 0.98))
+    # Three times the undershoot: the sky saturates, the ringing shows.
+    reach = 3.0 * max(-float(before.min()), 1e-6 * float(before.max()))
     figure = style.figure(12, 3.9)
     left, middle, right = figure.subplots(1, 3, width_ratios=(1, 1, 1.1))
     for panel, picture, title in ((left, before, "original"), (middle, after, "windowed")):
@@ -44,7 +45,7 @@ def draw(material: Material) -> Figure:
     ):
         right.plot(altitude, picture[:, centre], color=colour, linestyle=dash, label=label)
     right.axhline(0.0, color="grey", linewidth=0.8)
-    right.set_ylim(1.6 * min(before.min(), 0.0), 1.1 * before.max())
+    right.set_ylim(1.6 * min(before.min(), 0.0), 1.1 * sky.max())
     right.set_xlabel("altitude on the sun's side (degrees)")
     right.set_ylabel("luminance (cd/m²)")
     right.legend(fontsize=8)

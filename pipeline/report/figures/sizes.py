@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 from matplotlib.figure import Figure
-from matplotlib.ticker import PercentFormatter
 
 from pipeline import sphere
 from pipeline.report import style
@@ -35,9 +34,9 @@ def draw(material: Material) -> Figure:
             markersize=10,
             label=f"winners, {bands} bands",
         )
-    for i, entry in enumerate(material.references):
-        axes.loglog(entry.table.bytes, entry.e_mean[0, :, -1].max(), "xP"[i % 2], color="black", markersize=9, label=entry.name)
     best = material.best
+    for i, entry in enumerate(material.references):
+        axes.loglog(entry.table.bytes, entry.headline_at(best.table.bands)[0], "xP*"[i % 3], color="black", markersize=9, label=entry.name)
     axes.annotate(
         "recommended",
         (best.table.bytes, best.headline[0]),
@@ -48,7 +47,7 @@ def draw(material: Material) -> Figure:
     )
     axes.set_xlabel("bytes")
     axes.set_ylabel(f"largest E_mean, L_min {material.conventions[0]}")
-    axes.yaxis.set_major_formatter(PercentFormatter(1.0, decimals=None))
+    axes.yaxis.set_major_formatter(style.percent_ticks())
     axes.grid(True, which="major", alpha=0.3)
     axes.legend(fontsize=8)
     return figure

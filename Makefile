@@ -1,0 +1,48 @@
+# `make fit` is the reproducible run; `make help` lists the rest.
+CONFIG ?= configs/preetham.toml
+PYTHON ?= python3
+RUN := .venv/bin/python -m pipeline
+
+.PHONY: help fit test bench stability lint reference clean
+
+help: ## List the targets
+	@grep -E '^[a-z]+:.*## ' Makefile | sed -E 's/^([a-z]+):.*## /\1: /' | column -t -s ':' || true
+
+fit: .venv/run.stamp ## Run every stage of CONFIG and print where the report is
+	@$(RUN) run $(CONFIG)
+
+test: .venv/dev.stamp ## Run the tests
+	@.venv/bin/python -m pytest
+
+bench: .venv/run.stamp ## Measure error against time
+	@$(RUN) bench $(CONFIG)
+
+stability: .venv/run.stamp ## Stress the numerics
+	@$(RUN) stability $(CONFIG)
+
+lint: .venv/dev.stamp ## Check style and types
+	@.venv/bin/ruff check . && .venv/bin/ruff format --check . && .venv/bin/mypy
+
+reference: .venv/run.stamp ## Release the default config's result into reports/reference
+	@$(RUN) run configs/preetham.toml
+	@rm -rf reports/reference && mkdir reports/reference
+	@cd reports/preetham && cp -r export figures errors.csv summary.json index.html ../reference/
+
+clean: ## Delete the environment, the store and all runs but the reference
+	rm -rf .venv artifacts build *.egg-info .mypy_cache .ruff_cache .hypothesis
+	find reports -mindepth 1 -maxdepth 1 ! -name reference -exec rm -rf {} +
+	find . -name __pycache__ -prune -exec rm -rf {} +
+
+.venv/bin/python:
+	$(PYTHON) -c 'import sys; sys.exit("Python 3.11 or newer is needed; set PYTHON=...") if sys.version_info < (3, 11) else None'
+	$(PYTHON) -m venv .venv
+
+# matplotlib indexes the machine's fonts once, at its first import.
+.venv/run.stamp: pyproject.toml requirements.lock | .venv/bin/python
+	.venv/bin/python -m pip install --quiet --disable-pip-version-check -c requirements.lock -e .
+	.venv/bin/python -c 'import matplotlib.font_manager'
+	@touch $@
+
+.venv/dev.stamp: .venv/run.stamp
+	.venv/bin/python -m pip install --quiet --disable-pip-version-check -c requirements.lock -e '.[dev]'
+	@touch $@

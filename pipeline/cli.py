@@ -1,0 +1,287 @@
+"""The command line: ``python -m pipeline``. Commands, nothing else."""
+
+from __future__ import annotations
+
+import json
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from pipeline import __version__
+
+if TYPE_CHECKING:
+    from pipeline.config import Config
+
+_STORE = click.option(
+    "--store",
+    type=click.Path(file_okay=False, path_type=Path),
+    default=Path("artifacts"),
+    show_default=True,
+    help="Folder of the artifact store.",
+)
+_REPORTS = click.option(
+    "--reports",
+    type=click.Path(file_okay=False, path_type=Path),
+    default=Path("reports"),
+    show_default=True,
+    help="Folder that reports are published under.",
+)
+
+
+class _Group(click.Group):
+    """Turns bad input into exit code 2 with one message, and known failures into exit code 1 without a traceback."""
+
+    def invoke(self, ctx: click.Context) -> Any:
+        try:
+            return super().invoke(ctx)
+        except (BadInputError, OSError) as error:
+            click.echo(f"Error: {error}", err=True)
+            ctx.exit(2 if isinstance(error, BadInputError) else 1)
+
+
+class BadInputError(Exception):
+    """Input that the user can mend; its text says how."""
+
+
+@click.group(cls=_Group)
+@click.version_option(__version__, prog_name="skylight-sh")
+def main() -> None:
+    """Turn a light on the sphere into tiny polynomial tables of its spherical-harmonics weights.
+
+    Start with `python -m pipeline run configs/preetham.toml`, then open reports/preetham/index.html.
+
+    Exit codes: 0 success, 2 bad input (the message names the field and the remedy), 1 any other failure.
+    """
+
+
+@main.command()
+@click.argument("config", type=click.Path(path_type=Path))
+@click.option("--executor", help="threads, processes, or a Dask scheduler's address; overrides run.executor.")
+@click.option("--workers", type=click.IntRange(0), help="Threads or processes, 0 for one a core; overrides run.workers.")
+@_STORE
+@_REPORTS
+def run(config: Path, executor: str | None, workers: int | None, store: Path, reports: Path) -> None:
+    """Run every stage of CONFIG (a TOML file) that is not cached, and publish reports/NAME/.
+
+    Stages: truth (sample the light), fit (and sweep the degrees), select (the winners), export (C and NPZ), report.
+    """
+    from pipeline.run.runner import run as run_config
+    from pipeline.run.stages.select import BudgetError
+    from pipeline.store.store import Store
+    from pipeline.truth.converge import NotConvergedError
+
+    loaded = _load(config, {"executor": executor, "workers": workers})
+    try:
+        result = run_config(loaded, Store(store), reports, lambda text: click.echo(f"Warning: {text}", err=True))
+    except (BudgetError, NotConvergedError) as error:
+        raise BadInputError(str(error)) from error
+    for stage, facts in result.stages.items():
+        click.echo(f"{stage:<8} {facts['seconds']:7.2f} s{'  cached' if facts['cached'] else ''}")
+    click.echo()
+    click.echo(f"{'table':<24}{'bytes':>8}{'E_mean':>12}{'E_max':>12}")
+    for row in result.summary["tables"]:
+        mark = "  recommended" if row["name"] == result.summary["recommended"] else ""
+        click.echo(f"{row['name']:<24}{row['bytes']:>8}{_percent(row['e_mean'])}{_percent(row['e_max'])}{mark}")
+    click.echo()
+    click.echo(f"report  {result.folder / 'index.html'}")
+    click.echo(f"C       {result.folder / 'export' / 'skylight_sh.h'}")
+    click.echo(f"NPZ     {result.folder / 'export' / 'skylight_sh.npz'}")
+
+
+@main.command()
+@click.argument("table", type=click.Path(path_type=Path))
+@click.option("--at", "given", multiple=True, metavar="NAME=VALUE", help="Value of one axis; angles in radians. Repeat for each axis.")
+@click.option("--sun-zenith", type=float, help="Short for --at sun_zenith=VALUE.")
+@click.option("--turbidity", type=float, help="Short for --at turbidity=VALUE.")
+@click.option("--sun-azimuth", type=float, default=0.0, show_default=True, help="Radians from +x towards +y.")
+@click.option("--bands", type=click.IntRange(1), help="Fewer bands than the table has.")
+@click.option("--window", is_flag=True, help="Apply the zonal window of the paper's eq. 5.")
+@click.option("--json", "as_json", is_flag=True, help="Print JSON instead of a table.")
+def evaluate(
+    table: Path,
+    given: tuple[str, ...],
+    sun_zenith: float | None,
+    turbidity: float | None,
+    sun_azimuth: float,
+    bands: int | None,
+    window: bool,
+    as_json: bool,
+) -> None:
+    """Print the SH weights of one sun from TABLE, an exported .npz.
+
+    Example: python -m pipeline evaluate reports/reference/export/skylight_sh.npz --sun-zenith 0.8 --turbidity 3
+    """
+    from pipeline import runtime, sphere
+
+    try:
+        loaded = runtime.load(table)
+    except ValueError as error:
+        raise BadInputError(str(error)) from error
+    values = {**_assignments(given), "sun_azimuth": sun_azimuth}
+    for name, value in (("sun_zenith", sun_zenith), ("turbidity", turbidity)):
+        if value is not None:
+            values[name] = value
+    needed = set(loaded.inputs)
+    if set(values) != needed:
+        missing, unknown = sorted(needed - set(values)), sorted(set(values) - needed)
+        told = [f"--at {name}=VALUE is missing" for name in missing] + [f"{name} is no axis of this table" for name in unknown]
+        raise BadInputError(f"{'; '.join(told)}. The table's inputs are {', '.join(loaded.inputs)}.")
+    try:
+        weights, status = loaded.weights_and_status(bands=bands, window=window, **values)
+    except ValueError as error:
+        raise BadInputError(str(error)) from error
+    if status == runtime.INVALID:
+        raise BadInputError("An input is not a finite number. Give finite values.")
+    if status == runtime.CLAMPED:
+        ranges = ", ".join(f"{a.name} [{a.low:.6g}, {a.high:.6g}]" for a in loaded.table.axes)
+        click.echo(f"Warning: an input lies outside the table and was clamped: {ranges}.", err=True)
+    channels = loaded.table.channels
+    if as_json:
+        click.echo(json.dumps({channel: weights[i].tolist() for i, channel in enumerate(channels)}))
+        return
+    click.echo(f"{'l':>3}{'m':>4}" + "".join(f"{channel:>16}" for channel in channels))
+    degrees, orders = sphere.degrees_orders(round(weights.shape[-1] ** 0.5))
+    for k, (l, m) in enumerate(zip(degrees.tolist(), orders.tolist(), strict=True)):
+        click.echo(f"{l:>3}{m:>4}" + "".join(f"{weights[i, k]:>16.8g}" for i in range(len(channels))))
+
+
+@main.group()
+def artifacts() -> None:
+    """List, show, verify and clean the artifact store."""
+
+
+@artifacts.command("ls")
+@_STORE
+def list_artifacts(store: Path) -> None:
+    """List every artifact: stage, key, size."""
+    from pipeline.store.store import Store
+
+    for entry in Store(store).entries():
+        click.echo(f"{entry.stage:<8} {entry.key} {entry.size:>10}")
+
+
+@artifacts.command()
+@click.argument("key")
+@_STORE
+def show(key: str, store: Path) -> None:
+    """Show what the artifact holds whose key starts with KEY."""
+    from pipeline.store.hdf5 import CorruptArtifactError
+    from pipeline.store.store import Store
+
+    try:
+        entry = Store(store).find(key)
+    except KeyError as error:
+        raise BadInputError(error.args[0]) from error
+    try:
+        dataset = Store(store).get(entry.stage, entry.key)
+    except CorruptArtifactError as error:
+        raise OSError(str(error)) from error
+    click.echo(f"{entry.path} ({entry.size} bytes)")
+    for name in sorted(dataset.variables):
+        variable = dataset.variables[name]
+        shape = ", ".join(f"{d}: {n}" for d, n in zip(variable.dims, variable.data.shape, strict=False))
+        click.echo(f"  {name} ({shape}) {variable.data.dtype} {variable.attrs.get('units', '')}".rstrip())
+    for name in sorted(dataset.attrs):
+        click.echo(f"  @{name} = {dataset.attrs[name]}")
+
+
+@artifacts.command()
+@_STORE
+def verify(store: Path) -> None:
+    """Check every artifact against its checksum; exit 1 where one fails."""
+    from pipeline.store.hdf5 import CorruptArtifactError
+    from pipeline.store.store import Store
+
+    failures = 0
+    entries = Store(store).entries()
+    for entry in entries:
+        try:
+            Store(store).get(entry.stage, entry.key)
+        except CorruptArtifactError as error:
+            failures += 1
+            click.echo(str(error), err=True)
+    click.echo(f"{len(entries) - failures} of {len(entries)} artifacts hold.")
+    if failures:
+        sys.exit(1)
+
+
+@artifacts.command()
+@_STORE
+def gc(store: Path) -> None:
+    """Delete artifacts that no run's last result uses, and temporary files an hour old."""
+    from pipeline.store.store import Store
+
+    freed = 0
+    for entry in Store(store).collect():
+        freed += entry.size
+        click.echo(f"deleted {entry.stage} {entry.key}")
+    click.echo(f"freed {freed} bytes")
+
+
+@main.group("config")
+def config_group() -> None:
+    """Describe and check configs."""
+
+
+@config_group.command()
+def schema() -> None:
+    """Print the JSON Schema of a config."""
+    from pipeline.config import Config
+
+    click.echo(json.dumps(Config.model_json_schema(), indent=2))
+
+
+@config_group.command()
+@click.argument("config", type=click.Path(path_type=Path))
+def check(config: Path) -> None:
+    """Check CONFIG without running anything."""
+    click.echo(f"{config} holds: run {_load(config, {}).name!r}.")
+
+
+@main.command()
+@click.argument("config", type=click.Path(path_type=Path), default=Path("configs/preetham.toml"))
+@click.option("--repeats", type=click.IntRange(3), default=7, show_default=True, help="Runs a median is taken of.")
+@_REPORTS
+def bench(config: Path, repeats: int, reports: Path) -> None:
+    """Measure error against time: truth rules, the fit, and the exported tables against the paper's."""
+    from pipeline.bench import speed
+
+    click.echo(speed.run(_load(config, {}), reports, repeats))
+
+
+@main.command()
+@click.argument("config", type=click.Path(path_type=Path), default=Path("configs/preetham.toml"))
+@_REPORTS
+def stability(config: Path, reports: Path) -> None:
+    """Stress the numerics: bases against degree, number types, edges of the range."""
+    from pipeline.bench import stress
+
+    click.echo(stress.run(_load(config, {}), reports))
+
+
+def _load(path: Path, overrides: dict[str, Any]) -> Config:
+    from pipeline.config import ConfigError, load
+
+    try:
+        return load(path, {key: value for key, value in overrides.items() if value is not None})
+    except ConfigError as error:
+        raise BadInputError(str(error)) from error
+
+
+def _assignments(given: tuple[str, ...]) -> dict[str, float]:
+    values = {}
+    for text in given:
+        name, separator, value = text.partition("=")
+        try:
+            values[name] = float(value)
+        except ValueError:
+            separator = ""
+        if not separator:
+            raise BadInputError(f"--at {text!r} is no NAME=VALUE with a number. Write for example --at turbidity=3.")
+    return values
+
+
+def _percent(fraction: float) -> str:
+    return f"{100 * fraction:>10.4g} %"
