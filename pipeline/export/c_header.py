@@ -39,6 +39,7 @@ def write(table: Table, facts: Facts, prefix: str = "skylight_sh") -> str:
     number = _double if table.dtype == np.float64 else _single
     suffix = "" if table.dtype == np.float64 else "f"
     names = [axis.name for axis in table.axes]
+    middle = [_single(float(f"{(axis.low + axis.high) / 2:.3g}")) for axis in table.axes]
     inputs = [names[0], "sun_azimuth", *names[1:]]
     axes = [
         {
@@ -58,9 +59,7 @@ def write(table: Table, facts: Facts, prefix: str = "skylight_sh") -> str:
         P=prefix.upper(),
         version=__version__,
         title=_comment(facts.title),
-        example=", ".join(f"{(a.low + a.high) / 2:.4g}f" for a in table.axes[:1])
-        + ", 0.0f"
-        + "".join(f", {(a.low + a.high) / 2:.4g}f" for a in table.axes[1:]),
+        example=", ".join([middle[0], "0.0f", *middle[1:]]),
         inputs=[f"{a.name}: [{a.low:.9g}, {a.high:.9g}] {'' if a.unit == '1' else a.unit}".rstrip() for a in table.axes]
         + ["sun_azimuth: any finite angle, rad"],
         channels=table.channels,
@@ -96,7 +95,7 @@ def _prefactor(table: Table, number: Callable[[float], str]) -> dict[str, object
 
 
 def _single(value: float) -> str:
-    return _pointed(f"{np.float32(value):.9g}") + "f"
+    return _pointed(f"{float(np.float32(value)):.9g}") + "f"
 
 
 def _double(value: float) -> str:

@@ -1,0 +1,56 @@
+"""A config's fit grid, sampled afresh in this process: the benchmarks' and stress tests' material."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pipeline import sphere
+from pipeline.config.schema import Config
+from pipeline.fit.errors import Reference, mean_luminance
+from pipeline.run.stages.axes import fit_nodes
+from pipeline.truth import sampling
+from pipeline.truth import sets as parameter_sets
+
+Array = NDArray[np.float64]
+
+_NODES = 56
+
+
+@dataclass(frozen=True)
+class Samples:
+    """Weights on the fit grid, ``(n_1, .., n_D, channels, count)``: all N*N (``full``) and m >= 0 alone (``half``)."""
+
+    config: Config
+    nodes: list[Array]
+    full: Array
+    half: Array
+    reference: Reference
+
+
+def sample(config: Config, bands: int, random: int = 400) -> Samples:
+    """Sample the fit grid and ``random`` seeded sets plus the corners, for ``bands`` bands of a mirrored light."""
+    bands = min(bands, config.truth.bands)
+    config = config.model_copy(update={"truth": config.truth.model_copy(update={"bands": bands})})
+    ranges = [axis.range for axis in config.axes]
+    nodes = fit_nodes(config)
+    grid, _ = _weights(config, parameter_sets.grid(nodes))
+    half = grid.reshape(*(n.size for n in nodes), *grid.shape[1:])
+    corners = parameter_sets.grid([np.array(r) for r in ranges])
+    sets = np.concatenate([corners, parameter_sets.random(ranges, random, 77)])
+    weights, least = _weights(config, sets)
+    degrees, _ = sphere.degrees_orders(bands, mirrored=True)
+    mean = mean_luminance(weights[:, :, 0], config.light.luminance_row)
+    return Samples(config, nodes, sphere.unmirror(half, bands), half, Reference(sets, weights, degrees, least, mean))
+
+
+def _weights(config: Config, sets: Array) -> tuple[Array, Array]:
+    bands, names = config.truth.bands, tuple(axis.name for axis in config.axes)
+    weights = np.empty((len(sets), len(config.light.channels), sphere.count(bands, mirrored=True)))
+    least = np.empty(len(sets))
+    for block in parameter_sets.chunks(sets, sampling.peak_of(config.light, names), 64):
+        job = sampling.Job(config.light, names, sets[block], _NODES, bands, mirrored=True)
+        weights[block], least[block] = sampling.sample_block(job)
+    return weights, least
