@@ -92,7 +92,9 @@ def run(config: Path, executor: str | None, workers: int | None, store: Path, re
 
 @main.command()
 @click.argument("table", type=click.Path(path_type=Path))
-@click.option("--at", "given", multiple=True, metavar="NAME=VALUE", help="Value of one axis; angles in radians. Repeat for each axis.")
+@click.option(
+    "--at", "given", multiple=True, metavar="NAME=VALUE", help="Value of one axis; angles in radians. Repeat for each axis."
+)
 @click.option("--sun-zenith", type=float, help="Short for --at sun_zenith=VALUE.")
 @click.option("--turbidity", type=float, help="Short for --at turbidity=VALUE.")
 @click.option("--sun-azimuth", type=float, default=0.0, show_default=True, help="Radians from +x towards +y.")
@@ -126,7 +128,9 @@ def evaluate(
     needed = set(loaded.inputs)
     if set(values) != needed:
         missing, unknown = sorted(needed - set(values)), sorted(set(values) - needed)
-        told = [f"--at {name}=VALUE is missing" for name in missing] + [f"{name} is no axis of this table" for name in unknown]
+        told = [f"--at {name}=VALUE is missing" for name in missing] + [
+            f"{name} is no axis of this table" for name in unknown
+        ]
         raise BadInputError(f"{'; '.join(told)}. The table's inputs are {', '.join(loaded.inputs)}.")
     try:
         weights, status = loaded.weights_and_status(bands=bands, window=window, **values)

@@ -45,7 +45,8 @@ class Runtime:
 
     def status(self, *values: ArrayLike, **named: ArrayLike) -> NDArray[np.int64]:
         """Return, for each set of inputs, what the C header returns: 0, 1 where clamped, 2 where invalid."""
-        return self.weights_and_status(*values, bands=1, **named)[1]
+        columns = self._columns(values, named)
+        return self._check(columns.reshape(-1, columns.shape[-1]))[2].reshape(columns.shape[:-1])
 
     def weights_and_status(
         self, *values: ArrayLike, bands: int | None = None, window: bool = False, **named: ArrayLike
@@ -55,19 +56,27 @@ class Runtime:
         bands = table.bands if bands is None else bands
         if not 1 <= bands <= table.bands:
             raise ValueError(f"Invalid bands {bands}. Should be 1 to {table.bands}, the bands of this table.")
-        inputs = np.broadcast_arrays(*(np.asarray(v, dtype=np.float64) for v in self._bind(values, named)))
-        shape = inputs[0].shape
-        columns = np.stack([v.ravel() for v in inputs], axis=-1)
-        invalid = np.isnan(columns).any(axis=1) | np.isinf(columns[:, 1])
-        columns = np.where(invalid[:, np.newaxis], 0.0, columns)
-        clamped, outside = table.clamp(np.delete(columns, 1, axis=1))
+        inputs = self._columns(values, named)
+        shape = inputs.shape[:-1]
+        clamped, azimuth, status = self._check(inputs.reshape(-1, inputs.shape[-1]))
         full = full_weights(table, table.evaluate(clamped), bands)
-        out = sphere.rotate_azimuth(full, columns[:, 1, np.newaxis])
+        out = sphere.rotate_azimuth(full, azimuth[:, np.newaxis])
         if window:
             out = out * sphere.zonal_sinc(bands).astype(out.dtype)
-        out[invalid] = 0.0
-        status = np.where(invalid, INVALID, np.where(outside, CLAMPED, OK))
+        out[status == INVALID] = 0.0
         return out.reshape(*shape, len(table.channels), bands * bands), status.reshape(shape)
+
+    def _columns(self, values: tuple[ArrayLike, ...], named: dict[str, ArrayLike]) -> NDArray[np.float64]:
+        """Broadcast the inputs against each other, in order along the last axis."""
+        inputs = np.broadcast_arrays(*(np.asarray(v, dtype=np.float64) for v in self._bind(values, named)))
+        return np.stack(inputs, axis=-1)
+
+    def _check(self, columns: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.int64]]:
+        """Return axis values inside their ranges ``(n, axes)``, azimuths ``(n,)`` and status ``(n,)``."""
+        invalid = np.isnan(columns).any(axis=1) | np.isinf(columns[:, 1])
+        columns = np.where(invalid[:, np.newaxis], 0.0, columns)
+        clamped, outside = self.table.clamp(np.delete(columns, 1, axis=1))
+        return clamped, columns[:, 1], np.where(invalid, INVALID, np.where(outside, CLAMPED, OK))
 
     def _bind(self, values: tuple[ArrayLike, ...], named: dict[str, ArrayLike]) -> list[ArrayLike]:
         names = self.inputs

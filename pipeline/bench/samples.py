@@ -43,7 +43,13 @@ def sample(config: Config, bands: int, random: int = 400) -> Samples:
     weights, least = _weights(config, sets)
     degrees, _ = sphere.degrees_orders(bands, mirrored=True)
     mean = mean_luminance(weights[:, :, 0], config.light.luminance_row)
-    return Samples(config, nodes, sphere.unmirror(half, bands), half, Reference(sets, weights, degrees, least, mean))
+    return Samples(
+        config,
+        nodes,
+        np.asarray(sphere.unmirror(half, bands), dtype=np.float64),
+        half,
+        Reference(sets, weights, degrees, least, mean),
+    )
 
 
 def _weights(config: Config, sets: Array) -> tuple[Array, Array]:

@@ -66,7 +66,7 @@ def truth_rules(config: Config, repeats: int) -> Rows:
     def centred(nodes: int) -> Array:
         mirrored = light.hints.mirrored
         out = sun_centred.project(light, parameters, nodes=nodes, bands=bands, mirrored=mirrored).weights[0, 0]
-        return sphere.unmirror(out, bands) if mirrored else out
+        return np.asarray(sphere.unmirror(out, bands) if mirrored else out, dtype=np.float64)
 
     exact = centred(160)
     rows: Rows = []

@@ -14,9 +14,10 @@ from pipeline.config.schema import Config
 from pipeline.fit import solve
 from pipeline.fit.axes import Axis
 from pipeline.fit.bases import BASES
-from pipeline.run.stages.fit import prefactor_at, prefactor_of, whole_table
 from pipeline.run.stages.axes import axes_of
+from pipeline.run.stages.fit import prefactor_at, prefactor_of, whole_table
 from pipeline.table.measure import headline
+from pipeline.truth import sampling
 
 Rows = list[dict[str, object]]
 
@@ -96,7 +97,7 @@ def basis_errors() -> Rows:
 
 
 def range_edges(config: Config) -> Rows:
-    """The truth at each end of each axis and one ulp inside: the difference must be rounding."""
+    """Compare the truth at each end of each axis with one ulp inside: the difference must be rounding."""
     rows: Rows = []
     samples_at = {}
     middle = {a.name: (a.range[0] + a.range[1]) / 2 for a in config.axes}
@@ -111,8 +112,6 @@ def range_edges(config: Config) -> Rows:
 
 
 def _truth(config: Config, values: dict[str, float]) -> np.ndarray:
-    from pipeline.truth import sampling
-
     names = tuple(values)
     job = sampling.Job(config.light, names, np.array([[list(values.values())]]), 56, 7, config.light.hints.mirrored)
     return sampling.project_block(job).weights

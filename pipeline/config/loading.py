@@ -31,7 +31,9 @@ def load(path: str | Path, run: Mapping[str, Any] | None = None) -> Config:
         raise ConfigError(f"{path} is not valid TOML: {error}. Mend that line.") from error
     except (OSError, UnicodeDecodeError) as error:
         reason = error.strerror if isinstance(error, OSError) else "it is not UTF-8 text"
-        raise ConfigError(f"{path} cannot be read ({reason}). Give the path of a TOML file, such as configs/preetham.toml.") from error
+        raise ConfigError(
+            f"{path} cannot be read ({reason}). Give the path of a TOML file, such as configs/preetham.toml."
+        ) from error
     if run and isinstance(raw.get("run", {}), dict):
         raw["run"] = {**raw.get("run", {}), **run}
     return parse(raw, str(path))
@@ -65,7 +67,9 @@ def _problem(error: Any, raw: dict[str, Any]) -> Problem:
     described = _describe(schema, location, raw).get("description", "")
     if error["type"] == "missing":
         return Problem(path, None, f"This key is required. Add it: {described or 'see `python -m pipeline config schema`'}.")
-    return Problem(path, error["input"], f"{error['msg']}. Allowed: {described or 'see `python -m pipeline config schema`'}.")
+    return Problem(
+        path, error["input"], f"{error['msg']}. Allowed: {described or 'see `python -m pipeline config schema`'}."
+    )
 
 
 def _describe(schema: dict[str, Any], location: list[Any], raw: Any) -> dict[str, Any]:

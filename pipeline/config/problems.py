@@ -31,7 +31,11 @@ def _axes(config: Config) -> Iterator[Problem]:
     given = [axis.name for axis in config.axes]
     missing = [name for name in domains if name not in given]
     if missing:
-        yield Problem("$.axes", given, f"The light has parameters {', '.join(domains)}; add an [[axes]] table for {', '.join(missing)}.")
+        yield Problem(
+            "$.axes",
+            given,
+            f"The light has parameters {', '.join(domains)}; add an [[axes]] table for {', '.join(missing)}.",
+        )
     for i, axis in enumerate(config.axes):
         path = f"$.axes[{i}]"
         if axis.name not in domains:
@@ -53,23 +57,29 @@ def _axis_numbers(path: str, axis: AxisSection) -> Iterator[Problem]:
     low, high = axis.range
     least, largest = axis.degrees
     if axis.map == "log" and axis.point >= low:
-        yield Problem(f"{path}.point", axis.point, f"map = \"log\" needs a point below the range: less than {low:.9g}.")
+        yield Problem(f"{path}.point", axis.point, f'map = "log" needs a point below the range: less than {low:.9g}.')
     if axis.map == "reciprocal" and low <= axis.point <= high:
-        yield Problem(f"{path}.point", axis.point, f"map = \"reciprocal\" needs a point outside [{low:.9g}, {high:.9g}].")
+        yield Problem(f"{path}.point", axis.point, f'map = "reciprocal" needs a point outside [{low:.9g}, {high:.9g}].')
     if least > largest:
-        yield Problem(f"{path}.degrees", list(axis.degrees), "The range is empty. Give [least, largest] with least <= largest.")
+        yield Problem(
+            f"{path}.degrees", list(axis.degrees), "The range is empty. Give [least, largest] with least <= largest."
+        )
     if axis.nodes <= largest:
         yield Problem(f"{path}.nodes", axis.nodes, f"Degree {largest} needs at least {largest + 1} nodes.")
     if axis.verification < 4 * largest:
-        yield Problem(f"{path}.verification", axis.verification, f"Degree {largest} needs at least {4 * largest} verification nodes.")
+        yield Problem(
+            f"{path}.verification", axis.verification, f"Degree {largest} needs at least {4 * largest} verification nodes."
+        )
 
 
 def _fit(config: Config) -> Iterator[Problem]:
     fit = config.fit
     if fit.solver == "normal" and fit.basis == "chebyshev":
-        yield Problem("$.fit.solver", fit.solver, "Normal equations are for basis = \"monomial\". Use solver = \"svd\".")
+        yield Problem("$.fit.solver", fit.solver, 'Normal equations are for basis = "monomial". Use solver = "svd".')
     if fit.basis == "monomial" and any(axis.degrees[0] != axis.degrees[1] for axis in config.axes):
-        yield Problem("$.fit.basis", fit.basis, "Only nested bases are swept. Use \"chebyshev\", or degrees = [d, d] on every axis.")
+        yield Problem(
+            "$.fit.basis", fit.basis, 'Only nested bases are swept. Use "chebyshev", or degrees = [d, d] on every axis.'
+        )
     names = [reference.name for reference in fit.references]
     for i, reference in enumerate(fit.references):
         path = f"$.fit.references[{i}]"
@@ -82,13 +92,15 @@ def _winners(config: Config) -> Iterator[Problem]:
     for i, winner in enumerate(config.winners):
         path = f"$.winners[{i}]"
         if winner.bands > config.truth.bands:
-            yield Problem(f"{path}.bands", winner.bands, f"The truth has {config.truth.bands} bands. Use fewer, or raise truth.bands.")
+            yield Problem(
+                f"{path}.bands", winner.bands, f"The truth has {config.truth.bands} bands. Use fewer, or raise truth.bands."
+            )
         if (winner.degrees is None) == (not winner.budgets):
             yield Problem(path, {"budgets": list(winner.budgets)}, "Give either budgets, or degrees.")
         if winner.degrees is not None:
             yield from _degrees(config, f"{path}.degrees", winner.degrees, [axis.degrees[1] for axis in config.axes])
         if winner.budgets and config.fit.basis != "chebyshev":
-            yield Problem(f"{path}.budgets", list(winner.budgets), "Budgets need basis = \"chebyshev\"; give degrees instead.")
+            yield Problem(f"{path}.budgets", list(winner.budgets), 'Budgets need basis = "chebyshev"; give degrees instead.')
 
 
 def _cases(config: Config) -> Iterator[Problem]:
@@ -121,4 +133,6 @@ def _names(config: Config) -> Iterator[Problem]:
     for name in sorted({n for n in names if names.count(n) > 1}):
         yield Problem("$.winners", name, "Two winners get this name. Remove one of them.")
     if config.export.recommended not in names:
-        yield Problem("$.export.recommended", config.export.recommended, f"No winner has this name. Use one of: {', '.join(names)}.")
+        yield Problem(
+            "$.export.recommended", config.export.recommended, f"No winner has this name. Use one of: {', '.join(names)}."
+        )

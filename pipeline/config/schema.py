@@ -25,7 +25,8 @@ class AxisSection(_Section):
     name: str = Field(description="a parameter of the light, e.g. sun_zenith (radians) or turbidity")
     range: tuple[float, float] = Field(description="[low, high] with low < high, inside the light's domain")
     map: Literal["raw", "identity", "log", "reciprocal"] = Field(
-        "identity", description="change of variable: raw (none), identity (scaled to [-1, 1]), log or reciprocal about `point`"
+        "identity",
+        description="change of variable: raw (none), identity (scaled to [-1, 1]), log or reciprocal about `point`",
     )
     point: float = Field(0.0, description="singular point of map = log (below the range) or reciprocal (outside the range)")
     nodes: int = Field(ge=2, le=1000, description="fit nodes, more than the largest degree")
@@ -39,7 +40,9 @@ class TruthSection(_Section):
 
     bands: Bands = Field(description="SH bands of the truth, 1 to 32")
     tolerance: float = Field(1e-10, ge=1e-14, le=1e-2, description="relative to the largest weight, 1e-14 to 1e-2")
-    orders: Literal["auto", "all"] = Field("auto", description="auto: m >= 0 alone where the light is symmetric; all: every m")
+    orders: Literal["auto", "all"] = Field(
+        "auto", description="auto: m >= 0 alone where the light is symmetric; all: every m"
+    )
     random: int = Field(500, ge=0, le=100_000, description="further random verification sets, 0 to 100000")
     seed: int = Field(2008, ge=0, description="seed of the random sets, 0 or more")
 
@@ -69,7 +72,9 @@ class WinnerSection(_Section):
 
     bands: Bands = Field(description="SH bands of the table, at most truth.bands")
     budgets: tuple[Fraction, ...] = Field((), description="largest E_mean allowed, as fractions in (0, 1]")
-    degrees: tuple[Degree, ...] | None = Field(None, description="instead of budgets: one degree an axis, every coefficient kept")
+    degrees: tuple[Degree, ...] | None = Field(
+        None, description="instead of budgets: one degree an axis, every coefficient kept"
+    )
     dtype: DType = Field("float32", description="number type of the table")
 
 
@@ -92,9 +97,9 @@ class CaseSection(_Section):
 class ReportSection(_Section):
     """Which pictures to draw."""
 
-    figures: tuple[
-        Literal["bands", "maps", "panoramas", "ringing", "bytes", "degrees"], ...
-    ] = Field(("bands", "maps", "panoramas", "ringing", "bytes", "degrees"), description="pictures of the report")
+    figures: tuple[Literal["bands", "maps", "panoramas", "ringing", "bytes", "degrees"], ...] = Field(
+        ("bands", "maps", "panoramas", "ringing", "bytes", "degrees"), description="pictures of the report"
+    )
     cases: tuple[CaseSection, ...] = Field((), description="parameter sets to show beside the worst one")
 
 

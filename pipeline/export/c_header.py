@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from jinja2 import Environment, PackageLoader, StrictUndefined
+from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
 
 from pipeline import __version__
 from pipeline.fit.bases import BASES
@@ -103,7 +103,7 @@ def _double(value: float) -> str:
 
 
 def _pointed(text: str) -> str:
-    """A C number needs a point or an exponent to be a floating one."""
+    """Add the point without which a C number is no floating one."""
     return text if any(c in text for c in ".en") else text + ".0"
 
 
@@ -113,5 +113,9 @@ def _comment(text: str) -> str:
 
 
 _TEMPLATES = Environment(
-    loader=PackageLoader("pipeline.export"), undefined=StrictUndefined, keep_trailing_newline=True, autoescape=False
+    loader=PackageLoader("pipeline.export"),
+    undefined=StrictUndefined,
+    keep_trailing_newline=True,
+    # C is no markup; ``_comment`` keeps text inside its comment.
+    autoescape=select_autoescape(default=False),
 )

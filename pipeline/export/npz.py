@@ -6,6 +6,7 @@ import io
 import json
 import zipfile
 from pathlib import Path
+from typing import BinaryIO
 
 import numpy as np
 from numpy.typing import NDArray
@@ -46,7 +47,7 @@ def write(table: Table) -> bytes:
     return out.getvalue()
 
 
-def read(path: str | Path) -> Table:
+def read(path: str | Path | BinaryIO) -> Table:
     """Read a table written by ``write``. Raises ValueError where the file is not one."""
     try:
         with np.load(path, allow_pickle=False) as archive:
@@ -55,7 +56,9 @@ def read(path: str | Path) -> Table:
     except (OSError, KeyError, ValueError, EOFError, zipfile.BadZipFile) as error:
         raise ValueError(f"{path} is not a table of this pipeline ({error}). Give the .npz that a run exported.") from error
     if header.get("format") != FORMAT:
-        raise ValueError(f"{path} has table format {header.get('format')!r}, this version reads {FORMAT}. Run the fit again.")
+        raise ValueError(
+            f"{path} has table format {header.get('format')!r}, this version reads {FORMAT}. Run the fit again."
+        )
     name = header["prefactor"]
     return Table(
         axes=tuple(Axis(**axis) for axis in header["axes"]),

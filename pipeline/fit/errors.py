@@ -53,4 +53,4 @@ def by_band(residual: Array, degrees: NDArray[np.int64], bands: int) -> tuple[Ar
 
 def mean_luminance(first_weights: Array, luminance_row: Array) -> Array:
     """Return the mean luminance over the upper hemisphere, ``(n,)``, from the l = 0 weights ``(n, channels)``."""
-    return np.asarray(first_weights @ luminance_row) * np.sqrt(4 * np.pi) / (2 * np.pi)
+    return np.asarray(first_weights @ luminance_row * np.sqrt(4 * np.pi) / (2 * np.pi))

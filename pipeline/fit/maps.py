@@ -41,7 +41,7 @@ def _reciprocal(low: float, high: float, point: float) -> tuple[float, ...]:
 
 
 MAPS: dict[str, Map] = {
-    "raw": Map(lambda low, high, point: (), lambda v, k: v, lambda u, k: u, "v"),
+    "raw": Map(lambda *_: (), lambda v, _: v, lambda u, _: u, "v"),
     "identity": Map(
         _scaled,
         lambda v, k: (v - k[0]) * k[1] - 1,

@@ -8,11 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
+Floats = NDArray[np.floating]
 
 SOLVERS = ("svd", "normal")
 
 
-def fit_tensor(samples: Array, matrices: Sequence[Array]) -> Array:
+def fit_tensor(samples: Array, matrices: Sequence[Floats]) -> Array:
     """Fit samples on a tensor grid axis by axis.
 
     ``samples`` has shape ``(n_1, .., n_D, outputs)`` and ``matrices[a]``, the basis at axis a's nodes, ``(n_a,
@@ -25,7 +26,7 @@ def fit_tensor(samples: Array, matrices: Sequence[Array]) -> Array:
     return np.moveaxis(out, -1, 0)
 
 
-def fit_full(samples: Array, matrices: Sequence[Array], solver: str) -> Array:
+def fit_full(samples: Array, matrices: Sequence[Floats], solver: str) -> Array:
     """Fit by one system over all grid points: what the paper's description amounts to. Shapes as ``fit_tensor``.
 
     ``normal`` solves the normal equations by LU, rounding and all; ``svd`` minimises directly.
@@ -43,6 +44,6 @@ def fit_full(samples: Array, matrices: Sequence[Array], solver: str) -> Array:
     return np.asarray(solution.T.reshape(-1, *(m.shape[1] for m in matrices)))
 
 
-def condition(matrices: Sequence[Array]) -> float:
+def condition(matrices: Sequence[Floats]) -> float:
     """Return the condition number of the whole least-squares system: the product of its factors'."""
     return float(np.prod([np.linalg.cond(m) for m in matrices]))

@@ -11,6 +11,8 @@ Array = NDArray[np.float64]
 Lengths = NDArray[np.int64]
 
 _HALVINGS = 18
+_SCANNED = 48
+_SCAN_FACTOR = 1.6
 
 
 def lengths_above(dense: Array, threshold: float) -> Lengths:
@@ -25,16 +27,18 @@ def lengths_above(dense: Array, threshold: float) -> Lengths:
 
 
 def shortest(dense: Array, budget: float, measure: Callable[[Lengths], float]) -> Lengths | None:
-    """Return the shortest staircase whose ``measure`` stays within ``budget``, by bisection over the threshold.
+    """Return the shortest staircase found whose ``measure`` stays within ``budget``.
 
+    Bisection over the threshold finds the neighbourhood. The largest error is not monotone in the threshold, since dropped
+    coefficients of opposite sign cancel, so larger thresholds are then scanned for shorter ones.
     None where even the whole fit exceeds the budget.
     """
-    magnitudes = np.abs(dense[dense != 0.0])
-    if magnitudes.size == 0:
-        return lengths_above(dense, 0.0)
     best = lengths_above(dense, 0.0)
     if measure(best) > budget:
         return None
+    magnitudes = np.abs(dense[dense != 0.0])
+    if magnitudes.size == 0:
+        return best
     low, high = np.log(magnitudes.min()), np.log(magnitudes.max())
     for _ in range(_HALVINGS):
         middle = (low + high) / 2
@@ -43,4 +47,8 @@ def shortest(dense: Array, budget: float, measure: Callable[[Lengths], float]) -
             best, low = lengths, middle
         else:
             high = middle
+    for threshold in np.exp(low) * np.geomspace(1.0, _SCAN_FACTOR, _SCANNED):
+        lengths = lengths_above(dense, float(threshold))
+        if lengths.sum() < best.sum() and measure(lengths) <= budget:
+            best = lengths
     return best

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from pipeline.fit.errors import Reference, by_band
 
 Array = NDArray[np.float64]
+Floats = NDArray[np.floating]
 _POINTS_AT_ONCE = 256
 
 
@@ -32,7 +33,7 @@ class Worst:
 
 def sweep(
     coefficients: Array,
-    vanders: Sequence[Array],
+    vanders: Sequence[Floats],
     prefactor: Array,
     reference: Reference,
     degrees: Sequence[Sequence[int]],
@@ -76,7 +77,7 @@ def sweep(
     return result
 
 
-def _contract(coefficients: Array, vanders: Sequence[Array], degrees: Sequence[int]) -> Array:
+def _contract(coefficients: Array, vanders: Sequence[Floats], degrees: Sequence[int]) -> Array:
     """Sum over all axes but the first, truncated at ``degrees``: ``(n, channels, count, d_1+1)``."""
     if not vanders:
         return coefficients[np.newaxis]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Literal
+from typing import ClassVar, Literal
 
 import numpy as np
 
@@ -38,7 +38,7 @@ _DOMAINS: Mapping[str, Domain] = {
 class CieGeneral:
     """Sky type ``sky`` (1 to 15) over ``sun_zenith`` in radians; the zenith's luminance is 1 cd/m2."""
 
-    __pydantic_config__ = {"extra": "forbid", "strict": True}
+    __pydantic_config__: ClassVar[dict[str, object]] = {"extra": "forbid", "strict": True}
 
     sky: Literal[1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15]
     model: Literal["cie_general"] = "cie_general"

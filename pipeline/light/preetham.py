@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Literal
+from typing import ClassVar, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -77,7 +77,7 @@ DOMAINS: Mapping[str, Domain] = {
 class Preetham:
     """The sky as a black box over ``sun_zenith`` (radians) and ``turbidity``; radiance in cd/m2."""
 
-    __pydantic_config__ = {"extra": "forbid", "strict": True}
+    __pydantic_config__: ClassVar[dict[str, object]] = {"extra": "forbid", "strict": True}
 
     model: Literal["preetham"] = "preetham"
     constants: Literal["published", "smits"] = "published"
@@ -140,10 +140,9 @@ class Preetham:
         return out
 
     def _zenith_chromaticity(self, theta: Array, tau: Array) -> tuple[Array, Array]:
-        powers = (theta**3, theta**2, theta, np.ones_like(theta))
         x, y = (
-            sum(t * sum(c * p for c, p in zip(row, powers, strict=True)) for row, t in zip(table, (tau**2, tau, 1.0), strict=True))
-            for table in _ZENITH[self.constants]
+            tau**2 * np.polyval(square, theta) + tau * np.polyval(linear, theta) + np.polyval(constant, theta)
+            for square, linear, constant in _ZENITH[self.constants]
         )
         return np.asarray(x), np.asarray(y)
 

@@ -14,9 +14,9 @@ from pipeline.report.material import Entry, Material
 def frame(material: Material) -> pd.DataFrame:
     """Return one row a combination of table, bands, channel and L_min convention. Errors are fractions, angles radians.
 
-    ``table`` is ``sweep`` for a fit with every coefficient kept, else a reference's or winner's name; ``dtype`` is the number
-    type of coefficients and arithmetic, ``coefficients`` and ``bytes`` count those of the first ``bands`` bands of a sweep's
-    fit, and all of a named table.
+    ``table`` is ``sweep`` for a fit with every coefficient kept, else a reference's or winner's name; ``dtype`` is the
+    number type of coefficients and arithmetic, ``coefficients`` and ``bytes`` count those of the first ``bands`` bands of a
+    sweep's fit, and all of a named table.
     """
     parts = [_sweep(material), *(_entry(material, e) for e in (*material.references, *material.winners))]
     return pd.concat(parts, ignore_index=True)

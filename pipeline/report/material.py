@@ -21,7 +21,7 @@ class Entry:
     """A table with its measured errors.
 
     ``e_max``, ``e_mean`` ``(conventions, channels, bands)``, ``rel_l2`` ``(channels, bands)``, ``at`` ``(conventions,
-    channels, bands, axes)``; ``per_set`` the E_mean of each verification set, or None.
+    channels, bands, axes)``; ``per_set`` ``(sets,)`` the E_mean of each verification set.
     """
 
     name: str
@@ -30,7 +30,7 @@ class Entry:
     e_mean: Array
     rel_l2: Array
     at: Array
-    per_set: Array | None = None
+    per_set: Array
     condition: float | None = None
 
     @property
@@ -51,7 +51,7 @@ class Entry:
 
 @dataclass(frozen=True)
 class Sweep:
-    """The sweep's errors: ``degrees`` ``(combinations, axes)``, the rest as in ``Entry`` with combinations before channels."""
+    """The sweep's errors: ``degrees`` ``(combinations, axes)``; the rest as in ``Entry``, combinations before channels."""
 
     degrees: NDArray[np.int64]
     e_max: Array

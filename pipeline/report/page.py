@@ -69,7 +69,7 @@ def _facts(material: Material) -> dict[str, str]:
 
 
 def _degrees(material: Material) -> dict[str, Any] | None:
-    """The degree by degree table of the recommended bands, for two axes."""
+    """Return the degree by degree table of the recommended bands, or None unless there are two axes."""
     if len(material.axes) != 2 or len(material.sweep.degrees) < 2:
         return None
     error = material.sweep.e_mean[0, :, :, material.best.table.bands - 1].max(axis=1)

@@ -44,9 +44,7 @@ def map_tasks(
         return list(get(graph, list(graph), num_workers=workers or os.cpu_count() or 1))
 
 
-def _on_cluster(
-    function: Callable[[Item], Result], items: Sequence[Item], address: str, advance: Advance
-) -> list[Result]:
+def _on_cluster(function: Callable[[Item], Result], items: Sequence[Item], address: str, advance: Advance) -> list[Result]:
     from distributed import Client, as_completed
 
     with Client(address, timeout="10s", set_as_default=False) as client:

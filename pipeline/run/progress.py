@@ -13,7 +13,7 @@ from pipeline.run.executors import Advance
 def bar(title: str) -> Iterator[Advance]:
     """Show ``title``, a bar, the share done and the time left while the block runs; yields ``advance(done, total)``."""
     if not sys.stderr.isatty():
-        yield lambda done, total: None
+        yield _silent
         return
     from rich.console import Console
     from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn, TimeRemainingColumn
@@ -31,3 +31,7 @@ def bar(title: str) -> Iterator[Advance]:
         task = progress.add_task(title, total=None)
         yield lambda done, total: progress.update(task, completed=done, total=total)
         progress.stop_task(task)
+
+
+def _silent(_: int, __: int) -> None:
+    """Tell nobody."""

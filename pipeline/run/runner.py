@@ -18,7 +18,6 @@ from pipeline.run import plan, progress
 from pipeline.run.provenance import environment, settings
 from pipeline.run.stages import export, fit, report, select, truth
 from pipeline.run.stages.files import from_dataset
-from pipeline.store.dataset import Dataset
 from pipeline.store.store import Store
 
 # The order is the pipeline's: each stage reads only what stands before it.
@@ -46,9 +45,7 @@ def run(config: Config, store: Store, reports: Path, warn: Callable[[str], None]
     """
     provenance = {"provenance": json.dumps({"config": settings(config), "environment": environment()}, sort_keys=True)}
     with threadpool_limits(1):
-        outcomes, artifacts = plan.execute(
-            steps(config), store, provenance, progress.bar, warn, wanted=("export", "report")
-        )
+        outcomes, artifacts = plan.execute(steps(config), store, provenance, progress.bar, warn, wanted=("export", "report"))
     start = time.perf_counter()
     folder = reports / config.name
     files = {path: data for artifact in artifacts.values() for path, data in from_dataset(artifact).items()}

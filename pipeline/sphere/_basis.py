@@ -61,7 +61,7 @@ def basis(directions: Array, bands: int, *, mirrored: bool = False) -> Array:
 
 def evaluate(weights: NDArray[np.floating], directions: Array) -> Array:
     """Sum an SH expansion: ``weights`` of shape ``(..., N*N)`` at ``directions`` of shape ``(n, 3)`` -> ``(..., n)``."""
-    bands = int(round(weights.shape[-1] ** 0.5))
+    bands = round(weights.shape[-1] ** 0.5)
     if bands * bands != weights.shape[-1]:
         raise ValueError(f"{weights.shape[-1]} weights are not a square number N*N of bands.")
     return np.asarray(weights @ basis(directions, bands).T)

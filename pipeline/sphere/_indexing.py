@@ -39,7 +39,9 @@ def unmirror(weights: NDArray[np.floating], bands: int) -> NDArray[np.floating]:
     """Spread m >= 0 weights of shape ``(..., N(N+1)/2)`` over all N*N, with exact zeros at m < 0."""
     l, m = degrees_orders(bands, mirrored=True)
     if weights.shape[-1] != l.size:
-        raise ValueError(f"{bands} bands have {l.size} weights of order m >= 0, but the last axis holds {weights.shape[-1]}.")
+        raise ValueError(
+            f"{bands} bands have {l.size} weights of order m >= 0, but the last axis holds {weights.shape[-1]}."
+        )
     full = np.zeros((*weights.shape[:-1], bands * bands), dtype=weights.dtype)
     full[..., l * (l + 1) + m] = weights
     return full

@@ -18,7 +18,7 @@ def rotate_azimuth(weights: NDArray[np.floating], azimuth: NDArray[np.floating] 
     ``weights`` has shape ``(..., N*N)`` and ``azimuth`` broadcasts against ``(...)``. Exact but for
     rounding; the result keeps the dtype of ``weights``.
     """
-    bands = int(round(weights.shape[-1] ** 0.5))
+    bands = round(weights.shape[-1] ** 0.5)
     degrees, orders = degrees_orders(bands)
     partner = degrees * (degrees + 1) - orders
     angle = np.abs(orders) * np.asarray(azimuth, dtype=np.float64)[..., np.newaxis]

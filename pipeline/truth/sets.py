@@ -19,7 +19,7 @@ def grid(nodes: Sequence[Array]) -> Array:
 def random(ranges: Sequence[tuple[float, float]], count: int, seed: int) -> Array:
     """Return ``count`` uniform random sets inside ``ranges``, shape ``(count, axes)``; the seed decides them."""
     low, high = np.array(ranges, dtype=np.float64).T
-    return low + (high - low) * np.random.default_rng(seed).random((count, len(ranges)))
+    return np.asarray(low + (high - low) * np.random.default_rng(seed).random((count, len(ranges))))
 
 
 def chunks(sets: Array, shared: int | None, size: int) -> list[Index]:

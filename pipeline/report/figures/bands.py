@@ -42,7 +42,9 @@ def draw(material: Material) -> Figure:
         axes.yaxis.set_major_formatter(style.percent_ticks())
         axes.grid(True, which="major", alpha=0.3)
     if material.references or material.name == "paper":
-        left.plot(*zip(*_QUOTED, strict=True), "x", color="black", markersize=10, markeredgewidth=2, label="quoted by the paper")
+        left.plot(
+            *zip(*_QUOTED, strict=True), "x", color="black", markersize=10, markeredgewidth=2, label="quoted by the paper"
+        )
     left.set_ylabel("error relative to L_min")
     figure.legend(*left.get_legend_handles_labels(), loc="outside lower center", ncols=4, fontsize=8)
     return figure

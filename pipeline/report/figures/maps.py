@@ -19,20 +19,29 @@ CAPTION = (
 
 def draw(material: Material) -> Figure:
     """Draw one map a winner, or one line where there is one axis."""
-    entries = [entry for entry in material.winners if entry.per_set is not None]
+    entries = list(material.winners)
     if len(material.axes) == 1:
         return _lines(material, entries)
     columns = min(3, len(entries))
     rows = -(-len(entries) // columns)
     figure = style.figure(4 * columns, 3.3 * rows)
     grids = [np.maximum(_grid(material, entry), 1e-12) for entry in entries]
-    norm = LogNorm(min(float(g.min()) for g in grids), max(float(g.max()) for g in grids))
+    low, high = 100 * min(float(g.min()) for g in grids), 100 * max(float(g.max()) for g in grids)
     panels: list[Axes] = list(np.atleast_1d(figure.subplots(rows, columns, sharex=True, sharey=True)).ravel())
     first, second = material.axes[:2]
     for panel, entry, grid in zip(panels, entries, grids, strict=False):
         x, y = _shown(first, material.grid[0]), _shown(second, material.grid[1])
-        image = panel.pcolormesh(x, y, 100 * grid.T, cmap=style.ERROR_MAP, norm=LogNorm(100 * norm.vmin, 100 * norm.vmax), shading="nearest")
-        panel.plot(_shown(first, entry.worst[:1]), _shown(second, entry.worst[1:2]), "x", color=style.RED, markersize=9, markeredgewidth=2, clip_on=False, zorder=5)
+        image = panel.pcolormesh(x, y, 100 * grid.T, cmap=style.ERROR_MAP, norm=LogNorm(low, high), shading="nearest")
+        panel.plot(
+            _shown(first, entry.worst[:1]),
+            _shown(second, entry.worst[1:2]),
+            "x",
+            color=style.RED,
+            markersize=9,
+            markeredgewidth=2,
+            clip_on=False,
+            zorder=5,
+        )
         panel.set_title(f"{entry.name}: {style.percent(entry.headline[0])}", fontsize=9)
     for panel in panels[len(entries) :]:
         panel.set_axis_off()
@@ -43,7 +52,6 @@ def draw(material: Material) -> Figure:
 
 
 def _grid(material: Material, entry: Entry) -> np.ndarray:
-    assert entry.per_set is not None
     shape = tuple(nodes.size for nodes in material.grid)
     values = entry.per_set[: int(np.prod(shape))].reshape(shape)
     return np.asarray(values.max(axis=tuple(range(2, len(shape)))) if len(shape) > 2 else values)
@@ -53,7 +61,6 @@ def _lines(material: Material, entries: list[Entry]) -> Figure:
     figure = style.figure(9, 4.5)
     axes = figure.subplots()
     for i, entry in enumerate(entries):
-        assert entry.per_set is not None
         values = entry.per_set[: material.grid[0].size]
         axes.semilogy(_shown(material.axes[0], material.grid[0]), values, color=style.SERIES[i % 7], label=entry.name)
     axes.set_xlabel(_label(material.axes[0]))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
@@ -34,7 +35,7 @@ def draw(material: Material) -> Figure:
     return figure
 
 
-def _column(material: Material, panels: list, title: str, values: np.ndarray, entry: Entry, figure: Figure) -> None:
+def _column(material: Material, panels: list[Axes], title: str, values: np.ndarray, entry: Entry, figure: Figure) -> None:
     light, table = material.light, entry.table
     names = tuple(axis.name for axis in material.axes)
     bands = min(table.bands, material.best.table.bands)
@@ -46,7 +47,9 @@ def _column(material: Material, panels: list, title: str, values: np.ndarray, en
         panel.imshow(panorama.display(picture, white), extent=panorama.EXTENT, aspect="auto", interpolation="nearest")
     difference = 100 * ((made - true) @ light.luminance_row) / _scale(material, values)
     reach = max(float(np.abs(difference).max()), 1e-12)
-    image = panels[3].imshow(difference, extent=panorama.EXTENT, aspect="auto", cmap=style.SIGNED_MAP, vmin=-reach, vmax=reach)
+    image = panels[3].imshow(
+        difference, extent=panorama.EXTENT, aspect="auto", cmap=style.SIGNED_MAP, vmin=-reach, vmax=reach
+    )
     figure.colorbar(image, ax=panels[3], orientation="horizontal", label="% of L_min")
     for panel in panels:
         panel.tick_params(labelsize=7)
@@ -54,6 +57,6 @@ def _column(material: Material, panels: list, title: str, values: np.ndarray, en
 
 
 def _scale(material: Material, values: np.ndarray) -> float:
-    """The least luminance of the nearest verification set of the grid: a scale for people, not a measure."""
+    """Return the least luminance of the nearest verification grid set: a scale for people, not a measure."""
     index = tuple(int(np.abs(nodes - value).argmin()) for nodes, value in zip(material.grid, values, strict=True))
     return float(material.least[index])

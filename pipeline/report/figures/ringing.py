@@ -11,8 +11,9 @@ from pipeline.report.material import Material
 from pipeline.table.table import full_weights
 
 CAPTION = (
-    "The paper's figure 4: luminance of the recommended table's expansion without and with the zonal window of eq. 5, at the "
-    "middle of the parameter ranges. Purple is negative light; colours are stretched to show it, so that the sky itself saturates. Right: along the sun's meridian, from the nadir through the sun to the zenith."
+    "The paper's figure 4: luminance of the recommended table's expansion without and with the zonal window of eq. 5, at "
+    "the middle of the parameter ranges. Purple is negative light; colours are stretched to show it, so that the sky "
+    "itself saturates. Right: along the sun's meridian, from the nadir through the sun to the zenith."
 )
 
 

@@ -36,7 +36,14 @@ def draw(material: Material) -> Figure:
         )
     best = material.best
     for i, entry in enumerate(material.references):
-        axes.loglog(entry.table.bytes, entry.headline_at(best.table.bands)[0], "xP*"[i % 3], color="black", markersize=9, label=entry.name)
+        axes.loglog(
+            entry.table.bytes,
+            entry.headline_at(best.table.bands)[0],
+            "xP*"[i % 3],
+            color="black",
+            markersize=9,
+            label=entry.name,
+        )
     axes.annotate(
         "recommended",
         (best.table.bytes, best.headline[0]),

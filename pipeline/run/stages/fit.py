@@ -146,6 +146,7 @@ def _referenced(
         f"{start}/e_mean": Variable(dims, measured.e_mean),
         f"{start}/at": Variable((*dims, "axis"), reference.parameters[measured.at]),
         f"{start}/rel_l2": Variable(dims[1:], measured.rel_l2),
+        f"{start}/per_set": Variable(("set",), measured.per_set),
     }
 
 

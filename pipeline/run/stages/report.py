@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from pipeline.config.names import table_names
 from pipeline.config.schema import Config
 from pipeline.export import npz
+from pipeline.report.material import Entry, Material, Sweep
 from pipeline.run.executors import Advance
 from pipeline.run.plan import Inputs, Step
 from pipeline.run.provenance import environment, settings
@@ -50,16 +51,14 @@ def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
     return to_dataset(files)
 
 
-def _material(config: Config, inputs: Inputs):  # type: ignore[no-untyped-def]
-    from pipeline.report.material import Material, Sweep
-
+def _material(config: Config, inputs: Inputs) -> Material:
     fit, select, grid, rule = (inputs[name] for name in ("fit", "select", "truth/verification", "truth/rule"))
     names = tuple(axis.name for axis in config.axes)
 
     def sample(values: Array) -> Array:
         nodes, mirrored = int(rule.attrs["nodes"]), bool(rule.attrs["mirrored"])
         job = sampling.Job(config.light, names, values.reshape(1, 1, -1), nodes, config.truth.bands, mirrored)
-        return sampling.project_block(job).weights[0, 0]
+        return np.asarray(sampling.project_block(job).weights[0, 0])
 
     return Material(
         name=config.name,
@@ -85,14 +84,11 @@ def _material(config: Config, inputs: Inputs):  # type: ignore[no-untyped-def]
     )
 
 
-def _entry(artifact: Dataset, start: str, name: str):  # type: ignore[no-untyped-def]
-    from pipeline.report.material import Entry
-
-    optional = {key: artifact[f"{start}/{key}"] for key in ("per_set", "condition") if f"{start}/{key}" in artifact.variables}
+def _entry(artifact: Dataset, start: str, name: str) -> Entry:
+    known = artifact.variables
     return Entry(
         name=name,
         table=npz.read(io.BytesIO(artifact[f"{start}/npz"].tobytes())),
-        **{key: artifact[f"{start}/{key}"] for key in ("e_max", "e_mean", "rel_l2", "at")},
-        per_set=optional.get("per_set"),
-        condition=float(optional["condition"]) if "condition" in optional else None,
+        **{key: artifact[f"{start}/{key}"] for key in ("e_max", "e_mean", "rel_l2", "at", "per_set")},
+        condition=float(artifact[f"{start}/condition"]) if f"{start}/condition" in known else None,
     )

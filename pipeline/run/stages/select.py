@@ -47,10 +47,7 @@ def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
     variables: dict[str, Variable] = {"parameters": Variable(("set", "axis"), reference.parameters)}
     for done, (name, winner, budget) in enumerate(wanted):
         advance(done, len(wanted))
-        if budget is None:
-            table = _given(config, winner, fit)
-        else:
-            table = _cheapest(config, winner, budget, fit, reference)
+        table = _cheapest(config, winner, budget, fit, reference) if budget else _given(config, winner, fit)
         measured = measure(table, reference)
         dims = ("l_min", "channel", "bands")
         variables |= {
@@ -65,8 +62,7 @@ def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
 
 
 def _given(config: Config, winner: WinnerSection, fit: Dataset) -> Table:
-    assert winner.degrees is not None
-    cut = fit["coefficients"][(slice(None), slice(None), *(slice(d + 1) for d in winner.degrees))]
+    cut = fit["coefficients"][(slice(None), slice(None), *(slice(d + 1) for d in winner.degrees or ()))]
     mirrored = bool(fit.attrs["mirrored"])
     basis, prefactor = config.fit.basis, prefactor_of(config)
     return whole_table(config, cut, axes_of(config), basis, winner.dtype, prefactor, winner.bands, mirrored)

@@ -120,7 +120,9 @@ def _dataset(
             weights,
             {"units": "cd m-2 sr0.5", "long_name": "SH weights", "coordinates": "degree order"},
         ),
-        "least_luminance": Variable(dims, lowest, {"units": "cd m-2", "long_name": "least luminance of the upper hemisphere"}),
+        "least_luminance": Variable(
+            dims, lowest, {"units": "cd m-2", "long_name": "least luminance of the upper hemisphere"}
+        ),
     }
     attrs = {"sets": name, "light": config.light.title, **rule.attrs}
     return Dataset(variables, {key: value for key, value in attrs.items() if key not in ("step", "key")})
