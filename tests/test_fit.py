@@ -1,0 +1,137 @@
+"""Fits: exact recovery, maps, error measures, the sweep against its definition, staircases."""
+
+from __future__ import annotations
+
+import itertools
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from numpy.typing import NDArray
+
+from pipeline.fit import errors, solve, staircase, sweep
+from pipeline.fit.axes import Axis
+from pipeline.fit.bases import BASES
+
+Array = NDArray[np.float64]
+MAPS = st.sampled_from([("identity", 0.0), ("log", -0.5), ("reciprocal", -2.0), ("reciprocal", 30.0)])
+
+
+@given(low=st.floats(0.0, 3.0), width=st.floats(0.1, 9.0), kind=MAPS, share=st.floats(0.0, 1.0))
+def test_maps_reach_both_ends_rise_or_fall_and_invert(
+    low: float, width: float, kind: tuple[str, float], share: float
+) -> None:
+    axis = Axis("x", low, low + width, map=kind[0], point=kind[1])
+    ends = axis.scaled(np.array([axis.low, axis.high]))
+    assert sorted(ends) == pytest.approx([-1.0, 1.0], abs=1e-12)
+    value = np.array([low + share * width])
+    assert axis.unscaled(axis.scaled(value)) == pytest.approx(value, rel=1e-9, abs=1e-9)
+    assert axis.scaled(value.astype(np.float32)).dtype == np.float32
+
+
+@pytest.mark.parametrize("name", BASES)
+def test_bases_match_numpy(name: str) -> None:
+    u = np.linspace(-1, 1, 50)
+    theirs = {"chebyshev": np.polynomial.chebyshev.chebvander, "monomial": np.vander}[name]
+    expected = theirs(u, 9) if name == "chebyshev" else np.vander(u, 10, increasing=True)
+    assert np.abs(BASES[name].vander(u, 9) - expected).max() < 1e-14
+
+
+@pytest.mark.parametrize("degrees", [(5,), (4, 3), (2, 3, 1)])
+def test_tensor_fit_recovers_a_polynomial_over_any_number_of_axes(degrees: tuple[int, ...]) -> None:
+    rng = np.random.default_rng(0)
+    axes = [Axis(f"x{i}", 0.5, 2.0 + i, map="reciprocal", point=-1.0) for i in range(len(degrees))]
+    nodes = [axis.fit_nodes(d + 3, "chebyshev") for axis, d in zip(axes, degrees, strict=True)]
+    matrices = [BASES["chebyshev"].vander(a.scaled(n), d) for a, n, d in zip(axes, nodes, degrees, strict=True)]
+    exact = rng.normal(size=(7, *(d + 1 for d in degrees)))
+    samples = np.moveaxis(exact, 0, -1)
+    for axis, matrix in enumerate(matrices):
+        samples = np.moveaxis(np.tensordot(matrix, samples, axes=(1, axis)), 0, axis)
+    assert np.abs(solve.fit_tensor(samples, matrices) - exact).max() < 1e-13
+    for solver in solve.SOLVERS:
+        assert np.abs(solve.fit_full(samples, matrices, solver) - exact).max() < 1e-12
+    assert solve.condition(matrices) < 8
+
+
+def test_lower_fits_are_truncations() -> None:
+    axis = Axis("x", 0.0, 1.0)
+    x = axis.fit_nodes(20, "chebyshev")
+    values = np.exp(3 * x)[:, np.newaxis]
+    fits = [solve.fit_tensor(values, [BASES["chebyshev"].vander(axis.scaled(x), d)])[0] for d in (9, 4)]
+    assert np.abs(fits[0][:5] - fits[1]).max() < 1e-13
+
+
+@given(st.integers(2, 80), st.integers(5, 120))
+def test_verification_nodes_keep_the_ends_and_share_no_interior_node(fitted: int, count: int) -> None:
+    axis = Axis("x", 0.0, np.pi / 2)
+    for spacing in ("chebyshev", "uniform"):
+        nodes = axis.fit_nodes(fitted, spacing)
+        check = axis.verification_nodes(count, nodes)
+        assert (check[0], check[-1]) == (axis.low, axis.high)
+        assert np.all(np.diff(check) > 0)
+        assert not set(check[1:-1].tolist()) & set(nodes.tolist())
+
+
+def small_reference() -> errors.Reference:
+    rng = np.random.default_rng(4)
+    parameters = rng.uniform([0.0, 1.0], [1.0, 3.0], size=(300, 2))
+    degrees = np.array([0, 1, 1, 2, 2, 2])
+    weights = rng.normal(size=(300, 2, 6))
+    return errors.Reference(parameters, weights, degrees, rng.uniform(0.5, 2.0, 300), rng.uniform(2.0, 3.0, 300))
+
+
+def test_sweep_equals_its_definition() -> None:
+    reference = small_reference()
+    axes = (Axis("a", 0.0, 1.0), Axis("b", 1.0, 3.0))
+    rng = np.random.default_rng(5)
+    coefficients = rng.normal(size=(2, 6, 5, 4))
+    factor = rng.uniform(1, 2, 300)
+    vanders = [
+        BASES["chebyshev"].vander(a.scaled(reference.parameters[:, i]), d)
+        for i, (a, d) in enumerate(zip(axes, (4, 3), strict=True))
+    ]
+    worst = sweep.sweep(coefficients, vanders, factor, reference, [range(2, 5), range(1, 4)], 3)
+    assert sorted(worst.degrees) == sorted(itertools.product(range(2, 5), range(1, 4)))
+    for row, (first, second) in enumerate(worst.degrees):
+        cut = coefficients[:, :, : first + 1, : second + 1]
+        made = np.einsum("ni,nj,cwij->ncw", vanders[0][:, : first + 1], vanders[1][:, : second + 1], cut)
+        residual = made * factor[:, np.newaxis, np.newaxis] - reference.weights
+        for name, l_min in {"per-set": reference.least, "global": np.full(300, reference.least.min())}.items():
+            for bands in (1, 2, 3):
+                part = residual[..., reference.degrees < bands]
+                e_max = np.abs(part).sum(axis=-1) / l_min[:, np.newaxis]
+                e_mean = np.sqrt((part**2).sum(axis=-1)) / l_min[:, np.newaxis]
+                assert worst.e_max[name][row, :, bands - 1] == pytest.approx(e_max.max(axis=0), rel=1e-12)
+                assert worst.e_mean[name][row, :, bands - 1] == pytest.approx(e_mean.max(axis=0), rel=1e-12)
+                assert worst.at[name][row, :, bands - 1].tolist() == e_mean.argmax(axis=0).tolist()
+
+
+def test_a_light_with_black_parts_is_measured_by_its_mean() -> None:
+    reference = small_reference()
+    assert list(reference.l_min) == ["per-set", "global"]
+    black = errors.Reference(reference.parameters, reference.weights, reference.degrees, 0 * reference.least, reference.mean)
+    assert list(black.l_min) == ["mean"]
+
+
+def test_mean_luminance_of_a_uniform_sky() -> None:
+    # c_00 of a constant 5 over the upper hemisphere is 5 * y_00 * 2 pi.
+    first = np.array([[5.0 * np.sqrt(0.25 / np.pi) * 2 * np.pi]])
+    assert errors.mean_luminance(first, np.ones(1)) == pytest.approx([5.0])
+
+
+@given(st.integers(0, 500), st.floats(1e-4, 0.5))
+def test_staircase_keeps_what_the_budget_needs(seed: int, budget: float) -> None:
+    rng = np.random.default_rng(seed)
+    decay = np.exp(-np.add.outer(np.arange(8), 1.5 * np.arange(4)))
+    dense = rng.normal(size=(2, 3, 8, 4)) * decay
+
+    def measure(lengths: staircase.Lengths) -> float:
+        dropped = np.arange(8)[:, np.newaxis] >= lengths[:, :, np.newaxis]
+        return float(np.sqrt((np.where(dropped, dense, 0.0) ** 2).sum(axis=(1, 2, 3))).max())
+
+    lengths = staircase.shortest(dense, budget, measure)
+    assert lengths is not None
+    assert measure(lengths) <= budget
+    assert lengths.sum() < dense.size
+    assert staircase.shortest(dense, budget, lambda _: 1.0) is None

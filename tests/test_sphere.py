@@ -1,0 +1,118 @@
+"""Spherical harmonics: independent library, closed forms, rotation identities."""
+
+from __future__ import annotations
+
+import math
+
+import mpmath
+import numpy as np
+import pytest
+import sphericart
+from hypothesis import given
+from hypothesis import strategies as st
+from numpy.typing import NDArray
+
+from pipeline import sphere
+
+Array = NDArray[np.float64]
+
+
+def directions(count: int, seed: int = 0) -> Array:
+    drawn = np.random.default_rng(seed).normal(size=(count, 3))
+    return np.asarray(drawn / np.linalg.norm(drawn, axis=1, keepdims=True))
+
+
+def test_basis_equals_an_independent_library() -> None:
+    where = directions(300)
+    expected = sphericart.SphericalHarmonics(20).compute(where)
+    assert np.abs(sphere.basis(where, 21) - expected).max() < 1e-13
+
+
+def test_basis_closed_forms_have_no_condon_shortley_sign() -> None:
+    x, y, z = where = directions(50).T
+    got = sphere.basis(where.T, 3)
+    k = np.sqrt(3 / (4 * np.pi))
+    expected = [np.full_like(x, np.sqrt(0.25 / np.pi)), k * y, k * z, k * x]
+    expected += [np.sqrt(15 / (4 * np.pi)) * x * y, np.sqrt(15 / (4 * np.pi)) * y * z]
+    expected += [np.sqrt(5 / (16 * np.pi)) * (3 * z * z - 1), np.sqrt(15 / (4 * np.pi)) * x * z]
+    expected += [np.sqrt(15 / (16 * np.pi)) * (x * x - y * y)]
+    assert np.abs(got - np.stack(expected, axis=-1)).max() < 1e-15
+
+
+@pytest.mark.parametrize("theta", [1e-9, 0.3, 1.5, 3.1415])
+def test_legendre_factors_match_mpmath(theta: float) -> None:
+    bands = 40
+    got = sphere.legendre(np.array(np.cos(theta)), np.array(np.sin(theta)), bands)
+    with mpmath.workdps(60):
+        for l, m in [(0, 0), (1, 1), (7, 3), (20, 20), (39, 0), (39, 17), (39, 38)]:
+            x, sine = mpmath.cos(mpmath.mpf(theta)), mpmath.sin(mpmath.mpf(theta))
+            norm = mpmath.sqrt(
+                (2 - (m == 0)) * (2 * l + 1) / (4 * mpmath.pi) * mpmath.factorial(l - m) / mpmath.factorial(l + m)
+            )
+            derivative = mpmath.fsum(
+                (-1) ** k * math.comb(l, k) * math.comb(2 * l - 2 * k, l) * math.perm(l - 2 * k, m) * x ** (l - 2 * k - m)
+                for k in range((l - m) // 2 + 1)
+            )
+            exact = norm * sine**m * derivative / 2**l
+            assert float(got[l * (l + 1) // 2 + m]) == pytest.approx(float(exact), rel=1e-12, abs=1e-13)
+
+
+@given(azimuth=st.floats(-20, 20), seed=st.integers(0, 1000))
+def test_azimuth_rotation_moves_the_environment(azimuth: float, seed: int) -> None:
+    weights = np.random.default_rng(seed).normal(size=(2, 36))
+    where = directions(20, seed)
+    c, s = np.cos(azimuth), np.sin(azimuth)
+    turned = where @ np.array([[c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0]])
+    got = sphere.evaluate(sphere.rotate_azimuth(weights, azimuth), turned)
+    assert np.abs(got - sphere.evaluate(weights, where)).max() < 1e-12
+
+
+@given(angle=st.floats(-7, 7), seed=st.integers(0, 1000))
+def test_rotation_about_y_moves_the_environment(angle: float, seed: int) -> None:
+    weights = np.random.default_rng(seed).normal(size=(1, 2, 64))
+    where = directions(20, seed)
+    c, s = np.cos(angle), np.sin(angle)
+    turned = where @ np.array([[c, 0.0, s], [0.0, 1.0, 0.0], [-s, 0.0, c]]).T
+    got = sphere.evaluate(sphere.rotate_y(weights, np.array([angle]), 8, mirrored=False)[0], turned)
+    assert np.abs(got - sphere.evaluate(weights[0], where)).max() < 1e-12
+
+
+@given(first=st.floats(-3, 3), second=st.floats(-3, 3))
+def test_rotations_about_y_compose_and_keep_the_norm(first: float, second: float) -> None:
+    bands = 32
+    weights = np.random.default_rng(3).normal(size=(1, sphere.count(bands, mirrored=True)))
+    one = sphere.rotate_y(
+        sphere.rotate_y(weights, np.array([first]), bands, mirrored=True), np.array([second]), bands, mirrored=True
+    )
+    both = sphere.rotate_y(weights, np.array([first + second]), bands, mirrored=True)
+    assert np.abs(one - both).max() < 1e-12
+    assert np.linalg.norm(both) == pytest.approx(np.linalg.norm(weights), rel=1e-13)
+
+
+def test_window_touches_zonal_weights_alone() -> None:
+    window = sphere.zonal_sinc(4)
+    degrees, orders = sphere.degrees_orders(4)
+    assert np.all(window[orders != 0] == 1.0)
+    assert window[orders == 0] == pytest.approx(
+        [1.0, np.sin(np.pi / 4) / (np.pi / 4), 2 / np.pi, np.sin(3 * np.pi / 4) / (3 * np.pi / 4)]
+    )
+    assert degrees[orders == 0].tolist() == [0, 1, 2, 3]
+
+
+def test_unmirror_puts_exact_zeros_at_negative_orders() -> None:
+    half = np.arange(1.0, 7.0)
+    assert sphere.unmirror(half, 3).tolist() == [1, 0, 2, 3, 0, 0, 4, 5, 6]
+
+
+@pytest.mark.parametrize(
+    ("call", "match"),
+    [
+        (lambda: sphere.flat_index(1, 2), "degree 1 and order 2"),
+        (lambda: sphere.basis(np.zeros((1, 3)), 0), "number of bands 0"),
+        (lambda: sphere.evaluate(np.zeros(5), np.zeros((1, 3))), "5 weights"),
+        (lambda: sphere.unmirror(np.zeros(5), 3), "6 weights"),
+    ],
+)
+def test_errors_name_the_value(call: object, match: str) -> None:
+    with pytest.raises(ValueError, match=match):
+        call()  # type: ignore[operator]

@@ -1,0 +1,155 @@
+"""Ground truth against integration in zenith coordinates, which shares nothing with the sun-centred rule."""
+
+from __future__ import annotations
+
+import itertools
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from scipy import integrate, optimize
+
+from pipeline import sphere
+from pipeline.light import CieGeneral, Light, Preetham
+from pipeline.truth import converge, least, sampling
+from pipeline.truth import sets as parameter_sets
+
+Array = NDArray[np.float64]
+
+BANDS = 10
+HALF_PI = float(np.pi / 2)
+RANGES = {"sun_zenith": (0.0, HALF_PI), "turbidity": (2.5, 6.0)}
+EDGES = [(0.0, 2.5), (0.0, 6.0), (HALF_PI, 2.5), (HALF_PI, 6.0), (HALF_PI, 4.0), (0.0, 4.0), (0.7, 2.5), (1.55, 6.0)]
+RANDOM = parameter_sets.random(list(RANGES.values()), 20, seed=31).tolist()
+
+
+def weights(light: Light, values: tuple[float, ...], nodes: int, *, mirrored: bool = True, bands: int = BANDS) -> Array:
+    block = np.array(values).reshape(1, 1, -1)
+    job = sampling.Job(light, tuple(light.domains), block, nodes, bands, mirrored)
+    return sampling.project_block(job).weights[0, 0]
+
+
+def adaptive(light: Light, values: tuple[float, ...], tolerance: float) -> Array:
+    """Integrate over zenith angle and azimuth by adaptive Gauss-Kronrod cells, split where the cusp stands."""
+    parameters = {name: np.array(value) for name, value in zip(light.domains, values, strict=True)}
+
+    def integrand(points: Array) -> Array:
+        zenith, azimuth = points[:, 0], points[:, 1]
+        flat = np.sin(zenith)
+        directions = np.stack([flat * np.cos(azimuth), flat * np.sin(azimuth), np.cos(zenith)], axis=-1)
+        basis = sphere.basis(directions, BANDS, mirrored=True)
+        radiance = light.radiance(directions, parameters) * (2.0 * flat[:, np.newaxis])
+        return (radiance[:, :, np.newaxis] * basis[:, np.newaxis, :]).reshape(len(points), -1)
+
+    sun = values[0]
+    cuts = [0.0, sun, HALF_PI] if 0.0 < sun < HALF_PI else [0.0, HALF_PI]
+    total = 0.0
+    scale = np.abs(weights(light, values, 48)).max()
+    for low, high in itertools.pairwise(cuts):
+        result = integrate.cubature(
+            integrand, [low, 0.0], [high, np.pi], rule="gk15", atol=tolerance * scale, rtol=0.0, max_subdivisions=4000
+        )
+        assert result.status == "converged"
+        total = total + result.estimate
+    return np.asarray(total).reshape(len(light.channels), -1)
+
+
+@pytest.mark.parametrize("values", [*map(tuple, RANDOM), *EDGES])
+def test_weights_match_adaptive_integration_in_zenith_coordinates(values: tuple[float, float]) -> None:
+    light = Preetham()
+    nodes, estimate = converge.choose_nodes(light, RANGES, bands=BANDS, mirrored=True, tolerance=1e-10)
+    got = weights(light, values, nodes)
+    expected = adaptive(light, values, 2e-11)
+    scale = np.abs(expected).max(axis=1, keepdims=True)
+    assert estimate <= 1e-10
+    assert np.max(np.abs(got - expected) / scale) < 1e-10
+
+
+def test_all_orders_agree_with_the_mirrored_half() -> None:
+    full = weights(Preetham(), (1.1, 3.0), 40, mirrored=False)
+    half = sphere.unmirror(weights(Preetham(), (1.1, 3.0), 40), BANDS)
+    assert np.abs(full - half).max() < 1e-14 * np.abs(half).max()
+
+
+class Lopsided:
+    """A sky that is brighter on one side of the sun's azimuth: no mirror symmetry."""
+
+    def __init__(self) -> None:
+        self.sky = Preetham()
+        self.channels, self.luminance_row, self.domains = self.sky.channels, self.sky.luminance_row, self.sky.domains
+        self.hints, self.title = self.sky.hints, "lopsided"
+
+    def radiance(self, directions: Array, parameters: dict[str, Array]) -> Array:
+        return self.sky.radiance(directions, parameters) * (1.0 + 0.3 * directions[..., 1:2])
+
+
+def test_a_light_without_mirror_symmetry_keeps_its_sine_orders() -> None:
+    light = Lopsided()
+    assert not converge.is_mirrored(light, RANGES)
+    assert converge.is_mirrored(Preetham(), RANGES)
+    got = weights(light, (1.0, 4.0), 64, mirrored=False, bands=4)
+    z, w = np.polynomial.legendre.leggauss(400)
+    z, w = (z + 1) / 2, w / 2
+    phi = (np.arange(800) + 0.5) * np.pi / 400
+    flat = np.sqrt((1 - z) * (1 + z))[:, np.newaxis]
+    directions = np.stack([flat * np.cos(phi), flat * np.sin(phi), z[:, np.newaxis] + 0 * phi], axis=-1).reshape(-1, 3)
+    solid = np.repeat(w, phi.size) * np.pi / 400
+    radiance = light.radiance(directions, {"sun_zenith": np.array(1.0), "turbidity": np.array(4.0)})
+    expected = (radiance * solid[:, np.newaxis]).T @ sphere.basis(directions, 4)
+    _, orders = sphere.degrees_orders(4)
+    assert np.abs(expected[:, orders < 0]).max() > 0.01 * np.abs(expected).max()
+    assert np.abs(got - expected).max() < 1e-6 * np.abs(expected).max()
+
+
+@pytest.mark.parametrize("values", [(0.0, 2.5), (0.6, 3.0), (1.2, 6.0), (HALF_PI, 2.5), (HALF_PI, 6.0)])
+def test_least_luminance_is_right_to_a_ten_thousandth(values: tuple[float, float]) -> None:
+    light = Preetham()
+    parameters = {name: np.array([value]) for name, value in zip(RANGES, values, strict=True)}
+
+    def luminance(angles: Array) -> Array:
+        zenith, azimuth = np.moveaxis(np.asarray(angles), -1, 0)
+        flat = np.sin(zenith)
+        z = np.maximum(np.cos(zenith), 0.0)
+        directions = np.stack([flat * np.cos(azimuth), flat * np.sin(azimuth), z], axis=-1)
+        return light.radiance(directions, parameters) @ light.luminance_row
+
+    zenith, azimuth = np.meshgrid(np.linspace(0, HALF_PI, 400), np.linspace(0, np.pi, 400), indexing="ij")
+    grid = luminance(np.stack([zenith, azimuth], axis=-1).reshape(-1, 2))
+    start = np.array([zenith.ravel()[grid.argmin()], azimuth.ravel()[grid.argmin()]])
+    found = optimize.minimize(
+        lambda a: float(luminance(a[np.newaxis])[0]), start, bounds=[(0, HALF_PI), (0, np.pi)], method="Nelder-Mead"
+    ).fun
+    job = sampling.Job(light, tuple(RANGES), np.array(values).reshape(1, 1, 2), 48, 3, mirrored=True)
+    assert sampling.sample_block(job)[1][0, 0] == pytest.approx(found, rel=1e-4)
+
+
+def test_least_luminance_search_reaches_the_horizon() -> None:
+    start = np.array([[np.sin(1.5), 0.0, np.cos(1.5)]])
+    parameters = {"sun_zenith": np.array([0.0])}
+    light = CieGeneral(sky=1)
+    got = least.refine(light, parameters, start, light.radiance(start, {"sun_zenith": np.zeros(1)})[:, 0])
+    # The overcast sky's gradation falls to 1 on the horizon, over 1 + a exp(b) at the zenith.
+    assert got[0] == pytest.approx(1.0 / (1.0 + 4.0 * np.exp(-0.7)), rel=1e-4)
+
+
+def test_rule_says_so_when_it_cannot_converge() -> None:
+    class Torn(Lopsided):
+        def radiance(self, directions: Array, parameters: dict[str, Array]) -> Array:
+            return self.sky.radiance(directions, parameters) * np.where(directions[..., :1] > 0.2, 2.0, 1.0)
+
+    with pytest.raises(converge.NotConvergedError, match=r"truth\.tolerance"):
+        converge.choose_nodes(
+            Torn(), {"sun_zenith": (0.3, 1.0), "turbidity": (3.0, 4.0)}, bands=3, mirrored=True, tolerance=1e-10
+        )
+
+
+@pytest.mark.parametrize("size", [1, 7, 64])
+def test_chunks_hold_every_set_once_and_share_the_peak(size: int) -> None:
+    rng = np.random.default_rng(5)
+    values = np.stack([rng.integers(0, 9, 200) / 8.0, rng.random(200)], axis=-1)
+    blocks = parameter_sets.chunks(values, 0, size)
+    together = np.concatenate([block.ravel() for block in blocks])
+    assert sorted(together.tolist()) == list(range(200))
+    for block in blocks:
+        assert block.size <= size
+        assert np.all(values[block][:, :, 0] == values[block][:, :1, 0])
