@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import json
 import zipfile
+from dataclasses import asdict
 from pathlib import Path
 from typing import BinaryIO
 
@@ -23,7 +24,7 @@ def write(table: Table) -> bytes:
     name, constants = table.prefactor or ("", ())
     header = {
         "format": FORMAT,
-        "axes": [vars(axis) for axis in table.axes],
+        "axes": [asdict(axis) for axis in table.axes],
         "channels": table.channels,
         "bands": table.bands,
         "mirrored": table.mirrored,
@@ -50,11 +51,14 @@ def write(table: Table) -> bytes:
 def read(path: str | Path | BinaryIO) -> Table:
     """Read a table written by ``write``. Raises ValueError where the file is not one."""
     try:
+        # NumPy takes anything that is no archive for a pickle, and would advise to trust it.
+        if not zipfile.is_zipfile(path):
+            raise ValueError("it is no archive")
         with np.load(path, allow_pickle=False) as archive:
             header = json.loads(str(archive["header"]))
             lengths, coefficients = archive["lengths"], archive["coefficients"]
     except (OSError, KeyError, ValueError, EOFError, zipfile.BadZipFile) as error:
-        raise ValueError(f"{path} is not a table of this pipeline ({error}). Give the .npz that a run exported.") from error
+        raise ValueError(f"{path} is no table of this pipeline ({error}). Give the .npz that a run exported.") from error
     if header.get("format") != FORMAT:
         raise ValueError(
             f"{path} has table format {header.get('format')!r}, this version reads {FORMAT}. Run the fit again."

@@ -23,8 +23,11 @@ def frame(material: Material) -> pd.DataFrame:
 
 
 def csv(material: Material) -> bytes:
-    """Return ``frame`` as CSV, five significant digits."""
-    return frame(material).to_csv(index=False, float_format="%.5g", lineterminator="\n").encode()
+    """Return ``frame`` as CSV: errors to four significant digits, places to seven."""
+    made = frame(material)
+    places = [name for name in made.columns if name.endswith("_at_worst")]
+    made[places] = made[places].map("{:.7g}".format)
+    return made.to_csv(index=False, float_format="%.4g", lineterminator="\n").encode()
 
 
 def _sweep(material: Material) -> pd.DataFrame:

@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from functools import lru_cache, partial
 from typing import Any, TypeVar
 
-from threadpoolctl import ThreadpoolController
+from threadpoolctl import threadpool_limits
 
 Item = TypeVar("Item")
 Result = TypeVar("Result")
@@ -34,32 +34,35 @@ def map_tasks(
         done += 1
         advance(done, len(items))
 
+    threads = executor == "threads"
     get: Any
-    if executor == "threads":
+    if threads:
         from dask.threaded import get
     else:
         from dask.multiprocessing import get
-    graph = {("task", i): (_single_threaded, function, item) for i, item in enumerate(items)}
-    with Callback(posttask=count):
+    task = function if threads else partial(_on_worker, function)
+    graph = {("task", i): (task, item) for i, item in enumerate(items)}
+    with threadpool_limits(1), Callback(posttask=count):
         return list(get(graph, list(graph), num_workers=workers or os.cpu_count() or 1))
 
 
 def _on_cluster(function: Callable[[Item], Result], items: Sequence[Item], address: str, advance: Advance) -> list[Result]:
     from distributed import Client, as_completed
 
-    with Client(address, timeout="10s", set_as_default=False) as client:
-        futures = client.map(partial(_single_threaded, function), list(items), pure=False)
+    with Client(address, timeout="10s", set_as_default=False) as client, client.as_current():
+        futures = client.map(partial(_on_worker, function), list(items), pure=False)
         for done, _ in enumerate(as_completed(futures), start=1):
             advance(done, len(items))
         return list(client.gather(futures))
 
 
-def _single_threaded(function: Callable[[Item], Result], item: Item) -> Result:
-    """Run a task with BLAS on one thread: its sums must not depend on how many there are."""
-    with _pools().limit(limits=1):
-        return function(item)
+def _on_worker(function: Callable[[Item], Result], item: Item) -> Result:
+    """Run a task in another process with BLAS on one thread: its sums must not depend on how many there are."""
+    _limit_blas()
+    return function(item)
 
 
 @lru_cache(maxsize=1)
-def _pools() -> ThreadpoolController:
-    return ThreadpoolController()
+def _limit_blas() -> threadpool_limits:
+    # For the worker's whole life: a limit undone by one of its threads would be undone for all of them.
+    return threadpool_limits(1)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import asdict
 from functools import partial
 
 import numpy as np
@@ -37,7 +38,7 @@ def steps(config: Config) -> list[Step]:
     parameters = {
         "axes": [axis.model_dump(mode="json") for axis in config.axes],
         "fit": config.fit.model_dump(mode="json"),
-        "light": vars(config.light),
+        "light": asdict(config.light),
     }
     return [Step("fit", "", _CODE, ("truth/grid", *truth_inputs(config)), parameters, partial(_make, config))]
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import asdict
 from functools import partial
 
 import numpy as np
@@ -25,7 +26,7 @@ _SETS_PER_TASK = 64
 def steps(config: Config) -> list[Step]:
     """Return the rule's step and one for each collection of parameter sets that the config asks for."""
     common = {
-        "light": vars(config.light),
+        "light": asdict(config.light),
         "ranges": {axis.name: axis.range for axis in config.axes},
         "bands": config.truth.bands,
         "tolerance": config.truth.tolerance,

@@ -1,0 +1,36 @@
+"""One small run of the whole pipeline, shared by the tests that look at its results."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import pytest
+from hypothesis import settings
+
+from pipeline.config import Config, load
+from pipeline.run.runner import Result, run
+from pipeline.store.store import Store
+
+# Examples are drawn anew on a developer's machine, and are the same ones on every CI run.
+settings.register_profile("ci", derandomize=True, deadline=None)
+settings.register_profile("dev", deadline=None)
+settings.load_profile("ci" if os.environ.get("CI") else "dev")
+
+ROOT = Path(__file__).resolve().parents[1]
+SMALL = Path(__file__).parent / "small.toml"
+
+
+def run_quietly(config: Config, place: Path) -> Result:
+    """Run a config with its store and reports under ``place``; a warning is an error."""
+
+    def warn(text: str) -> None:
+        raise AssertionError(text)
+
+    return run(config, Store(place / "artifacts"), place / "reports", warn)
+
+
+@pytest.fixture(scope="session")
+def small_run(tmp_path_factory: pytest.TempPathFactory) -> Result:
+    """A run of tests/small.toml in a folder of its own."""
+    return run_quietly(load(SMALL), tmp_path_factory.mktemp("small"))

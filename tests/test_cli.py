@@ -1,0 +1,117 @@
+"""The command line: every command explains itself, and evaluation prints what the runtime gives."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from pathlib import Path
+
+import click
+import numpy as np
+import pytest
+from click.testing import CliRunner
+from conftest import SMALL
+
+from pipeline import runtime
+from pipeline.cli import main
+from pipeline.run.runner import Result
+
+
+def invoke(*arguments: str) -> tuple[int, str, str]:
+    result = CliRunner().invoke(main, list(arguments))
+    assert result.exception is None or isinstance(result.exception, SystemExit), result.exception
+    return result.exit_code, result.stdout, result.stderr
+
+
+def commands(group: click.Group, start: tuple[str, ...] = ()) -> Iterator[tuple[tuple[str, ...], click.Command]]:
+    for name, command in group.commands.items():
+        yield (*start, name), command
+        if isinstance(command, click.Group):
+            yield from commands(command, (*start, name))
+
+
+def test_every_command_and_option_has_help() -> None:
+    names = {" ".join(path) for path, _ in commands(main)}
+    assert {"run", "bench", "stability", "evaluate", "config schema"} <= names
+    assert {f"artifacts {verb}" for verb in ("ls", "show", "verify", "gc")} <= names
+    for path, command in commands(main):
+        assert command.help, path
+        for option in command.params:
+            if isinstance(option, click.Option) and option.name != "help":
+                assert option.help, (path, option.name)
+        assert invoke(*path, "--help")[0] == 0
+
+
+def test_evaluate_prints_what_the_runtime_gives(small_run: Result) -> None:
+    table = str(small_run.folder / "export" / "skylight_sh.npz")
+    place = ("--sun-zenith", "0.8", "--turbidity", "3", "--sun-azimuth", "0.4")
+    code, out, _ = invoke("evaluate", table, *place, "--json")
+    assert code == 0
+    expected = runtime.load(table).weights(0.8, 0.4, 3.0)
+    assert np.array_equal(np.array(list(json.loads(out).values()), dtype=np.float32), expected)
+    code, out, _ = invoke("evaluate", table, "--at", "sun_zenith=0.8", "--at", "turbidity=3", "--bands", "2", "--window")
+    assert code == 0
+    lines = out.splitlines()
+    assert lines[0].split() == ["l", "m", "red", "green", "blue"]
+    assert len(lines) == 5
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (("--sun-zenith", "1"), "--at turbidity=VALUE is missing"),
+        (("--sun-zenith", "1", "--turbidity", "3", "--at", "albedo=1"), "albedo is no axis"),
+        (("--at", "sun_zenith=1", "--at", "turbidity=dust"), "NAME=VALUE"),
+        (("--sun-zenith", "nan", "--turbidity", "3"), "finite"),
+        (("--sun-zenith", "1", "--turbidity", "3", "--bands", "9"), "1 to 4"),
+        (("--sun-zenith", "east", "--turbidity", "3"), "east"),
+    ],
+)
+def test_evaluate_refuses_bad_input(small_run: Result, arguments: tuple[str, ...], message: str) -> None:
+    code, out, err = invoke("evaluate", str(small_run.folder / "export" / "skylight_sh.npz"), *arguments)
+    assert code == 2
+    assert out == ""
+    assert message in err
+
+
+def test_evaluate_warns_of_a_clamp(small_run: Result) -> None:
+    code, _, err = invoke(
+        "evaluate", str(small_run.folder / "export" / "skylight_sh.npz"), "--sun-zenith", "2", "--turbidity", "3"
+    )
+    assert code == 0
+    assert "clamped: sun_zenith [0, 1.5708], turbidity [2.5, 6]" in err
+
+
+def test_artifacts_commands(tmp_path: Path) -> None:
+    store, reports = ("--store", str(tmp_path / "s")), ("--reports", str(tmp_path / "r"))
+    code, out, err = invoke("run", str(SMALL), *store, *reports)
+    assert code == 0
+    assert err == ""  # quiet where there is no terminal
+    assert str(tmp_path / "r" / "small" / "index.html") in out
+    assert "recommended" in out
+
+    code, listed, _ = invoke("artifacts", "ls", *store)
+    assert code == 0
+    keys = [line.split()[1] for line in listed.splitlines()]
+    assert len(keys) == 8
+    code, shown, _ = invoke("artifacts", "show", keys[-1], *store)
+    assert code == 0
+    assert "@provenance" in shown
+    assert invoke("artifacts", "show", "zz", *store)[0] == 2
+    assert invoke("artifacts", "verify", *store)[:2] == (0, "8 of 8 artifacts hold.\n")
+    assert invoke("artifacts", "gc", *store)[1] == "freed 0 bytes\n"
+
+    broken = next((tmp_path / "s" / "fit").glob("*.h5"))
+    broken.write_bytes(broken.read_bytes()[:-200])
+    code, out, err = invoke("artifacts", "verify", *store)
+    assert code == 1
+    assert out == "7 of 8 artifacts hold.\n"
+    assert str(broken) in err
+    assert invoke("artifacts", "show", broken.stem, *store)[0] == 1
+
+
+def test_failures_other_than_bad_input_exit_with_1(tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("in the way", encoding="utf-8")
+    code, _, err = invoke("run", str(SMALL), "--store", str(tmp_path / "file"))
+    assert code in (1, 2)
+    assert "file" in err

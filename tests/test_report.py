@@ -1,0 +1,96 @@
+"""The report: what the page says, what errors.csv holds, and pictures for any number of axes."""
+
+from __future__ import annotations
+
+import re
+import struct
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import pytest
+from conftest import SMALL, run_quietly
+
+from pipeline.config import load
+from pipeline.report.style import percent
+from pipeline.run.runner import Result
+
+FIGURES = 'figures = ["bands", "maps", "panoramas", "ringing", "bytes", "degrees"]'
+
+
+def png_size(data: bytes) -> tuple[int, int]:
+    assert data[:8] == b"\x89PNG\r\n\x1a\n"
+    width, height = struct.unpack(">II", data[16:24])
+    return width, height
+
+
+def test_page_stands_alone(small_run: Result) -> None:
+    page = (small_run.folder / "index.html").read_text(encoding="utf-8")
+    assert "://" not in page.replace("json-schema", "")
+    links = set(re.findall(r'(?:src|href)="([^"#]+)"', page))
+    assert links
+    assert all((small_run.folder / link).is_file() for link in links)
+    for row in small_run.summary["tables"]:
+        assert row["name"] in page
+        assert percent(row["e_mean"]) in page
+    assert "<script" not in page
+
+
+def test_page_escapes_what_the_config_says(tmp_path: Path) -> None:
+    text = SMALL.read_text(encoding="utf-8").replace('figures = ["bands"]', FIGURES)
+    text = text.replace("Sunset & <dust>", "<script>alert(1)</script>")
+    (tmp_path / "all.toml").write_text(text, encoding="utf-8")
+    result = run_quietly(load(tmp_path / "all.toml"), tmp_path)
+    page = (result.folder / "index.html").read_text(encoding="utf-8")
+    assert "<script>alert" not in page
+    assert "&lt;script&gt;alert" in page
+    for name in ("bands", "maps", "panoramas", "ringing", "bytes", "degrees"):
+        width, height = png_size((result.folder / "figures" / f"{name}.png").read_bytes())
+        assert width >= 800
+        assert height >= 350
+        assert b"matplotlib" not in (result.folder / "figures" / f"{name}.png").read_bytes().lower()
+
+
+def test_errors_csv_is_the_contract(small_run: Result) -> None:
+    table = pd.read_csv(small_run.folder / "errors.csv")
+    columns = ["basis", "dtype", "bands", "channel", "l_min", "e_max", "e_mean", "rel_l2", "coefficients", "bytes"]
+    axes = ("sun_zenith", "turbidity")
+    assert {*columns, *(f"degree_{a}" for a in axes), *(f"{a}_at_worst" for a in axes)} <= set(table.columns)
+    sweep = table[table["table"] == "sweep"]
+    assert len(sweep) == 7 * 6 * 4 * 3 * 2
+    assert not sweep.duplicated([*(f"degree_{a}" for a in axes), "bands", "channel", "l_min"]).any()
+    assert np.all(np.isfinite(table[["e_max", "e_mean", "rel_l2"]]))
+    assert np.all(table["e_max"] >= table["e_mean"])
+    assert table["sun_zenith_at_worst"].between(0, np.pi / 2).all()
+    for row in small_run.summary["tables"]:
+        mine = table[(table["table"] == row["name"]) & (table["bands"] == row["bands"]) & (table["l_min"] == row["l_min"])]
+        assert mine["e_mean"].max() == pytest.approx(row["e_mean"], rel=1e-3)
+        assert mine["e_max"].max() == pytest.approx(row["e_max"], rel=1e-3)
+    stricter = table.pivot_table(
+        index=["table", "bands", "channel", "degree_sun_zenith", "degree_turbidity"], columns="l_min"
+    )
+    assert np.all(stricter["e_mean"]["global"] >= stricter["e_mean"]["per-set"] * (1 - 1e-3))
+
+
+def test_more_bands_never_err_less_and_more_degrees_end_better(small_run: Result) -> None:
+    table = pd.read_csv(small_run.folder / "errors.csv")
+    sweep = table[(table["table"] == "sweep") & (table["l_min"] == "per-set")]
+    by_bands = sweep.pivot_table(
+        index=["degree_sun_zenith", "degree_turbidity", "channel"], columns="bands", values="e_mean"
+    )
+    assert np.all(np.diff(by_bands.to_numpy(), axis=1) >= 0)
+    worst = sweep[sweep["bands"] == 4].groupby(["degree_sun_zenith", "degree_turbidity"])["e_mean"].max()
+    assert worst[(9, 6)] < 0.1 * worst[(3, 1)]
+
+
+def test_one_axis_and_one_channel_have_their_pictures(tmp_path: Path) -> None:
+    text = (SMALL.parent / "small-cie.toml").read_text(encoding="utf-8")
+    (tmp_path / "cie.toml").write_text(text, encoding="utf-8")
+    result = run_quietly(load(tmp_path / "cie.toml"), tmp_path)
+    for name in ("bands", "maps", "panoramas", "ringing", "bytes", "degrees"):
+        png_size((result.folder / "figures" / f"{name}.png").read_bytes())
+    assert "CIE general sky, type 12" in (result.folder / "index.html").read_text(encoding="utf-8")
+
+
+def test_percent_never_shows_exponents() -> None:
+    assert [percent(v) for v in (0.015, 1e-7, 12.3, 0.0)] == ["1.5 %", "0.00001 %", "1230 %", "0 %"]
