@@ -43,7 +43,7 @@ def _row(material: Material, entry: Entry, bands: int) -> dict[str, Any]:
         "degrees": ", ".join(map(str, entry.table.degrees)),
         "dtype": str(entry.table.dtype),
         "coefficients": entry.table.coefficients.size,
-        "bytes": entry.table.bytes,
+        "bytes": entry.table.bytes_at(bands),
         "e_mean": percent(e_mean),
         "e_max": percent(e_max),
         "stricter": strict,

@@ -52,12 +52,17 @@ class Table:
     @property
     def bytes(self) -> int:
         """Size of every constant an evaluation reads: coefficients, lengths, axes, prefactor, numbers in the code."""
-        numbers = sum(2 + len(axis.constants) for axis in self.axes)
+        return self.bytes_at(self.bands)
+
+    def bytes_at(self, bands: int) -> int:
+        """Size of what the first ``bands`` bands alone need: a table of fewer bands is a prefix of this one."""
+        count = sphere.count(bands, mirrored=self.mirrored)
+        numbers = int(self.lengths[:count].sum()) + sum(2 + len(axis.constants) for axis in self.axes)
         if self.prefactor:
             name, constants = self.prefactor
             numbers += len(constants) + PREFACTORS[name].literals
-        lengths = 0 if self.is_rectangular else self.lengths.nbytes
-        return self.coefficients.nbytes + lengths + numbers * self.dtype.itemsize
+        lengths = 0 if self.is_rectangular else self.lengths[:count].nbytes
+        return lengths + numbers * self.dtype.itemsize
 
     @property
     def is_rectangular(self) -> bool:

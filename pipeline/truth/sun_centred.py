@@ -40,7 +40,7 @@ def project(light: Light, parameters: Parameters, *, nodes: int, bands: int, mir
 
     Every parameter has shape ``(g, k)``, the peak's zenith angle (``light.hints.peak_axis``, radians, 0 where there
     is none) ``(g, 1)``: one set of nodes serves a group. ``nodes`` is the number of Gauss nodes over the arcs.
-    ``mirrored`` samples half the sky and keeps m >= 0. Section 3 of the README states the conventions.
+    ``mirrored`` samples half the sky and keeps m >= 0. The README's conventions hold.
     """
     axis = light.hints.peak_axis
     theta = parameters[axis][:, 0] if axis else np.zeros(next(iter(parameters.values())).shape[0])

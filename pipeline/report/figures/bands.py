@@ -23,6 +23,7 @@ def draw(material: Material) -> Figure:
     left, right = figure.subplots(1, 2, sharey=True)
     entries = [*material.winners, *material.references]
     shown = [e for e in entries if e in material.references or e.table.bands == material.best.table.bands]
+    best = material.best.table.bands
     for axes, attribute, title in ((left, "e_mean", "E_mean"), (right, "e_max", "E_max")):
         for i, entry in enumerate(shown):
             errors = getattr(entry, attribute)[0].max(axis=0)
@@ -35,7 +36,7 @@ def draw(material: Material) -> Figure:
                 marker=style.MARKERS[i % 7],
                 markersize=5,
                 linestyle="--" if dashed else "-",
-                label=f"{entry.name} ({entry.table.bytes / 1000:.1f} kB)",
+                label=f"{entry.name} ({entry.table.bytes_at(min(best, entry.table.bands)) / 1000:.1f} kB at {best} bands)",
             )
         axes.set_title(f"largest {title}, L_min {material.conventions[0]}")
         axes.set_xlabel("bands N")

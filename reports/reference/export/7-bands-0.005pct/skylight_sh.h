@@ -22,7 +22,7 @@
  *
  * Provenance
  *   config preetham, table 7-bands-0.005pct
- *   selection b38d65a8409c5d39a3e16ea88c373eb73b509c59bd43dc79cbfa8286c3a86dba
+ *   selection 1a277e3352e7ffa6dd07af41fa4659b373c8f4cb51430ce60661c64888bcc869
  *   python 3.11.7, numpy 2.4.6, scipy 1.17.1, h5py 3.16.0, dask 2026.8.0
  *   x86_64: AVX512_ICL X86_V2 X86_V3 X86_V4
  */
