@@ -164,9 +164,16 @@ int main(void) {{
     assert got == pytest.approx(expected, abs=2e-6 * float(np.abs(expected).max()))
 
 
-@pytest.mark.parametrize("axes", [1, 2, 3])
-@pytest.mark.parametrize("mirrored", [True, False])
-def test_tables_over_any_axes_reach_c(tmp_path: Path, axes: int, mirrored: bool) -> None:
+@pytest.mark.parametrize(
+    ("axes", "mirrored", "basis", "dtype"),
+    [
+        (1, True, "chebyshev", "float32"),
+        (2, False, "legendre", "float32"),
+        (3, True, "fourier", "float64"),
+        (3, False, "monomial", "float32"),
+    ],
+)
+def test_tables_over_any_axes_reach_c(tmp_path: Path, axes: int, mirrored: bool, basis: str, dtype: str) -> None:
     rng = np.random.default_rng(axes)
     names = ("sun_zenith", "albedo", "haze")[:axes]
     degrees = (5, 3, 2)[:axes]
@@ -181,8 +188,8 @@ def test_tables_over_any_axes_reach_c(tmp_path: Path, axes: int, mirrored: bool)
         channels=("one", "two"),
         bands=3,
         mirrored=mirrored,
-        basis="chebyshev",
-        dtype="float32",
+        basis=basis,
+        dtype=dtype,
         prefactor=None,
     )
     (tmp_path / "skylight_sh.h").write_text(c_header.write(table, FACTS, "other_sh"), encoding="utf-8")

@@ -33,8 +33,13 @@ def test_maps_reach_both_ends_rise_or_fall_and_invert(
 @pytest.mark.parametrize("name", BASES)
 def test_bases_match_numpy(name: str) -> None:
     u = np.linspace(-1, 1, 50)
-    theirs = {"chebyshev": np.polynomial.chebyshev.chebvander, "monomial": np.vander}[name]
-    expected = theirs(u, 9) if name == "chebyshev" else np.vander(u, 10, increasing=True)
+    waves = [np.ones_like(u)] + [f(k * np.pi * u) for k in range(1, 6) for f in (np.cos, np.sin)]
+    expected = {
+        "chebyshev": np.polynomial.chebyshev.chebvander(u, 9),
+        "legendre": np.polynomial.legendre.legvander(u, 9),
+        "monomial": np.vander(u, 10, increasing=True),
+        "fourier": np.stack(waves[:10], axis=-1),
+    }[name]
     assert np.abs(BASES[name].vander(u, 9) - expected).max() < 1e-14
 
 

@@ -76,7 +76,7 @@ def _fit(config: Config) -> Iterator[Problem]:
     fit = config.fit
     if fit.solver == "normal" and fit.basis == "chebyshev":
         yield Problem("$.fit.solver", fit.solver, 'Normal equations are for basis = "monomial". Use solver = "svd".')
-    if fit.basis == "monomial" and any(axis.degrees[0] != axis.degrees[1] for axis in config.axes):
+    if fit.basis != "chebyshev" and any(axis.degrees[0] != axis.degrees[1] for axis in config.axes):
         yield Problem(
             "$.fit.basis", fit.basis, 'Only nested bases are swept. Use "chebyshev", or degrees = [d, d] on every axis.'
         )

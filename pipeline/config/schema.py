@@ -13,6 +13,8 @@ Degree = Annotated[int, Field(ge=0, le=40)]
 Fraction = Annotated[float, Field(gt=0.0, le=1.0)]
 Bands = Annotated[int, Field(ge=1, le=32)]
 DType = Literal["float32", "float64"]
+BasisName = Literal["chebyshev", "legendre", "monomial", "fourier"]
+SolverName = Literal["svd", "qr", "normal"]
 
 
 class _Section(BaseModel):
@@ -51,8 +53,8 @@ class ReferenceSection(_Section):
     """A fit for comparison, on the same samples."""
 
     name: Name = Field(description="lower-case letters, digits, - and _; at most 40")
-    basis: Literal["chebyshev", "monomial"] = Field("monomial", description="chebyshev or monomial")
-    solver: Literal["svd", "normal"] = Field("normal", description="svd, or normal equations")
+    basis: BasisName = Field("monomial", description="chebyshev, legendre, monomial or fourier")
+    solver: SolverName = Field("normal", description="svd, qr, or normal (the normal equations)")
     scaled: bool = Field(False, description="whether parameters are scaled to [-1, 1] first")
     degrees: tuple[Degree, ...] = Field(description="one degree an axis, below the axis's nodes")
     dtype: DType = Field("float64", description="number type the table is kept and evaluated in")
@@ -61,8 +63,8 @@ class ReferenceSection(_Section):
 class FitSection(_Section):
     """The fit that is swept over degrees and bands."""
 
-    basis: Literal["chebyshev", "monomial"] = Field("chebyshev", description="chebyshev, or monomial (the paper)")
-    solver: Literal["svd", "normal"] = Field("svd", description="svd, or normal equations")
+    basis: BasisName = Field("chebyshev", description="chebyshev, legendre, monomial (the paper) or fourier")
+    solver: SolverName = Field("svd", description="svd, qr, or normal (the normal equations, for monomials)")
     prefactor: bool = Field(True, description="divide by the light's closed-form prefactor where it has one")
     references: tuple[ReferenceSection, ...] = Field((), description="fits to show beside this one")
 

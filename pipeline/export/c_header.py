@@ -74,13 +74,19 @@ def write(table: Table, facts: Facts, prefix: str = "skylight_sh") -> str:
         coefficients=[number(float(c)) for c in table.coefficients],
         lengths=[] if table.is_rectangular else table.lengths.ravel().tolist(),
         axes=axes,
-        step=BASES[table.basis].c_step,
+        fill=_fill(table.basis, prefix, suffix),
         rest=table.lengths.shape[2],
         mirrored=table.mirrored,
         prefactor=_prefactor(table, number),
         parameters=", ".join(f"float {name}" for name in inputs),
         arguments=", ".join(inputs),
     )
+
+
+def _fill(basis: str, prefix: str, suffix: str) -> str:
+    """Return the basis's C statements in the table's number type."""
+    text = re.sub(r"\breal\b", f"{prefix}_real", BASES[basis].c_fill)
+    return text.replace("COS(", f"cos{suffix}(").replace("SIN(", f"sin{suffix}(")
 
 
 def _prefactor(table: Table, number: Callable[[float], str]) -> dict[str, object] | None:

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 Floats = NDArray[np.floating]
 
-SOLVERS = ("svd", "normal")
+SOLVERS = ("svd", "qr", "normal")
 
 
 def fit_tensor(samples: Array, matrices: Sequence[Floats]) -> Array:
@@ -29,7 +29,8 @@ def fit_tensor(samples: Array, matrices: Sequence[Floats]) -> Array:
 def fit_full(samples: Array, matrices: Sequence[Floats], solver: str) -> Array:
     """Fit by one system over all grid points: what the paper's description amounts to. Shapes as ``fit_tensor``.
 
-    ``normal`` solves the normal equations by LU, rounding and all; ``svd`` minimises directly.
+    ``normal`` solves the normal equations by LU, rounding and all; ``qr`` triangularises the system itself; ``svd``
+    drops directions lost in rounding. Raises ValueError for another name.
     """
     system = matrices[0]
     for matrix in matrices[1:]:
@@ -37,6 +38,9 @@ def fit_full(samples: Array, matrices: Sequence[Floats], solver: str) -> Array:
     right = samples.reshape(len(system), -1)
     if solver == "normal":
         solution = np.linalg.solve(system.T @ system, system.T @ right)
+    elif solver == "qr":
+        q, r = np.linalg.qr(system)
+        solution = np.linalg.solve(r, q.T @ right)
     elif solver == "svd":
         solution = np.linalg.lstsq(system, right, rcond=None)[0]
     else:

@@ -11,8 +11,8 @@ from pipeline.report.material import Material
 
 CAPTION = (
     "Largest E_mean against size. Dots: every combination of degrees of the sweep with all its coefficients kept, as "
-    "four-byte numbers. Large marks: the winners as shipped, every constant counted; black ones: other fits, for the bands of "
-    "the recommended table. Below and left is better."
+    "four-byte numbers. Large marks: the winners as shipped, every constant counted; black ones: other fits, for the "
+    "bands of the recommended table. Below and left is better."
 )
 # Habel et al. 2008, section 3.3: 49 weights of 14 x 8 coefficients in double precision, "below 1.5 %".
 _QUOTED = (131_712, 0.015)

@@ -89,10 +89,10 @@ def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
     basis = BASES[config.fit.basis]
     matrices = [basis.vander(a.scaled(n), s.degrees[1]) for a, n, s in zip(axes, nodes, config.axes, strict=True)]
     flattened = scaled.reshape(*shape, -1)
-    if config.fit.solver == "normal":
-        solution = solve.fit_full(flattened, matrices, "normal")
-    else:
+    if config.fit.solver == "svd":
         solution = solve.fit_tensor(flattened, matrices)
+    else:
+        solution = solve.fit_full(flattened, matrices, config.fit.solver)
     coefficients = solution.reshape(*outputs, *solution.shape[1:])
 
     reference = reference_of(config, inputs)
