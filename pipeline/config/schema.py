@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
-from pipeline.light import CieGeneral, Preetham
+from pipeline.light import CieGeneral, Plugin, Preetham
 
 Name = Annotated[str, Field(pattern=r"^[a-z0-9][a-z0-9_-]{0,39}$")]
 Degree = Annotated[int, Field(ge=0, le=40)]
@@ -120,8 +120,8 @@ class Config(_Section):
     """One run of the pipeline."""
 
     name: Name = Field(description="name of the run and of its folder under reports/: lower-case letters, digits, - and _")
-    light: Annotated[Preetham | CieGeneral, Field(discriminator="model")] = Field(
-        description="the light: model = preetham or cie_general, and its options"
+    light: Annotated[Preetham | CieGeneral | Plugin, Field(discriminator="model")] = Field(
+        description="the light: model = preetham, cie_general or plugin, and its options"
     )
     axes: tuple[AxisSection, ...] = Field(description="the light's parameters, one [[axes]] table each")
     truth: TruthSection = Field(description="a [truth] section: how the ground truth is sampled")

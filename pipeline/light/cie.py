@@ -49,6 +49,11 @@ class CieGeneral:
         return f"CIE general sky, type {self.sky} (ISO 15469)"
 
     @property
+    def version(self) -> str:
+        """Nothing but this package's code."""
+        return ""
+
+    @property
     def channels(self) -> tuple[str, ...]:
         """Luminance alone."""
         return ("luminance",)

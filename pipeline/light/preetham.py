@@ -89,6 +89,11 @@ class Preetham:
         return f"Preetham sky ({self.constants} constants, {self.colour_space})"
 
     @property
+    def version(self) -> str:
+        """Nothing but this package's code."""
+        return ""
+
+    @property
     def channels(self) -> tuple[str, ...]:
         """Linear red, green and blue."""
         return ("red", "green", "blue")

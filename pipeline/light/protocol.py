@@ -63,6 +63,10 @@ class Light(Protocol):
         """Name for people, options included."""
 
     @property
+    def version(self) -> str:
+        """What decides its values beside its options and this package's code: a library and its version, or nothing."""
+
+    @property
     def channels(self) -> tuple[str, ...]:
         """Names of the channels of ``radiance``."""
 

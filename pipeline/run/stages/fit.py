@@ -38,7 +38,7 @@ def steps(config: Config) -> list[Step]:
     parameters = {
         "axes": [axis.model_dump(mode="json") for axis in config.axes],
         "fit": config.fit.model_dump(mode="json"),
-        "light": asdict(config.light),
+        "light": {**asdict(config.light), "version": config.light.version},
     }
     return [Step("fit", "", _CODE, ("truth/grid", *truth_inputs(config)), parameters, partial(_make, config))]
 

@@ -26,7 +26,7 @@ _SETS_PER_TASK = 64
 def steps(config: Config) -> list[Step]:
     """Return the rule's step and one for each collection of parameter sets that the config asks for."""
     common = {
-        "light": asdict(config.light),
+        "light": {**asdict(config.light), "version": config.light.version},
         "ranges": {axis.name: axis.range for axis in config.axes},
         "bands": config.truth.bands,
         "tolerance": config.truth.tolerance,

@@ -1,0 +1,87 @@
+"""Lights of other packages: any callable registered as an installed entry point."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from importlib.metadata import EntryPoint, entry_points
+from typing import ClassVar, Literal
+
+from pipeline.light.protocol import Array, Domain, Hints, Light, Parameters
+
+GROUP = "skylight_sh.lights"
+
+
+@dataclass(frozen=True)
+class Plugin:
+    """The light that the entry point ``entry`` of group ``skylight_sh.lights`` makes when called with ``options``.
+
+    Raises ValueError where no installed package offers that entry, or where it does not take the options.
+    """
+
+    __pydantic_config__: ClassVar[dict[str, object]] = {"extra": "forbid", "strict": True}
+
+    entry: str
+    options: dict[str, bool | int | float | str] = field(default_factory=dict)
+    model: Literal["plugin"] = "plugin"
+
+    def __post_init__(self) -> None:
+        try:
+            # Made at once, so that a config's error is told before anything runs.
+            _ = self._light
+        except (ImportError, AttributeError, TypeError) as error:
+            raise ValueError(
+                f"The light {self.entry!r} cannot be made ({error}). Mend its options or its package"
+            ) from error
+
+    @cached_property
+    def _point(self) -> EntryPoint:
+        found = {point.name: point for point in entry_points(group=GROUP)}
+        if self.entry not in found:
+            known = ", ".join(sorted(found)) or "none"
+            raise ValueError(
+                f"No installed package offers the light {self.entry!r} (entry points of group {GROUP}: {known}). "
+                "Install the package, or use one of these"
+            )
+        return found[self.entry]
+
+    @cached_property
+    def _light(self) -> Light:
+        made: Light = self._point.load()(**self.options)
+        return made
+
+    @property
+    def version(self) -> str:
+        """The package that offers the light, and its version."""
+        package = self._point.dist
+        return f"{package.name} {package.version}" if package else "unknown"
+
+    @property
+    def title(self) -> str:
+        """Name for people."""
+        return self._light.title
+
+    @property
+    def channels(self) -> tuple[str, ...]:
+        """The light's own."""
+        return self._light.channels
+
+    @property
+    def luminance_row(self) -> Array:
+        """The light's own."""
+        return self._light.luminance_row
+
+    @property
+    def domains(self) -> Mapping[str, Domain]:
+        """The light's own."""
+        return self._light.domains
+
+    @property
+    def hints(self) -> Hints:
+        """The light's own."""
+        return self._light.hints
+
+    def radiance(self, directions: Array, parameters: Parameters) -> Array:
+        """Ask the light."""
+        return self._light.radiance(directions, parameters)
