@@ -17,7 +17,7 @@ test: .venv/dev.stamp ## Run the tests
 bench: .venv/run.stamp ## Measure error against time
 	@$(RUN) bench $(CONFIG)
 
-stability: .venv/run.stamp ## Stress the numerics
+stability: .venv/dev.stamp ## Stress the numerics
 	@$(RUN) stability $(CONFIG)
 
 lint: .venv/dev.stamp ## Check style and types
@@ -45,4 +45,5 @@ clean: ## Delete the environment, the store and all runs but the reference
 
 .venv/dev.stamp: .venv/run.stamp
 	.venv/bin/python -m pip install --quiet --disable-pip-version-check -c requirements.lock -e '.[dev]'
+	.venv/bin/python -m pip install --quiet --disable-pip-version-check --no-deps tests/example_light
 	@touch $@

@@ -259,10 +259,13 @@ def bench(config: Path, repeats: int, reports: Path) -> None:
 @click.argument("config", type=click.Path(path_type=Path), default=Path("configs/preetham.toml"))
 @_REPORTS
 def stability(config: Path, reports: Path) -> None:
-    """Stress the numerics: bases against degree, number types, edges of the range."""
-    from pipeline.bench import stress
+    """Stress the numerics of CONFIG, which must have run: bases, solvers, number types, compilers, noise, edges."""
+    from pipeline.run import progress
+    from pipeline.stability import run as stresses
 
-    click.echo(stress.run(_load(config, {}), reports))
+    with progress.bar("stability") as advance:
+        text = stresses.run(_load(config, {}), reports, advance)
+    click.echo(text)
 
 
 def _load(path: Path, overrides: dict[str, Any]) -> Config:

@@ -40,16 +40,15 @@ def sample(config: Config, bands: int, random: int = 400) -> Samples:
     half = grid.reshape(*(n.size for n in nodes), *grid.shape[1:])
     corners = parameter_sets.grid([np.array(r) for r in ranges])
     sets = np.concatenate([corners, parameter_sets.random(ranges, random, 77)])
+    full = np.asarray(sphere.unmirror(half, bands), dtype=np.float64)
+    return Samples(config, nodes, full, half, measured_at(config, sets))
+
+
+def measured_at(config: Config, sets: Array) -> Reference:
+    """Sample parameter sets ``(n, axes)`` as something to measure errors against."""
     weights, least = _weights(config, sets)
-    degrees, _ = sphere.degrees_orders(bands, mirrored=True)
-    mean = mean_luminance(weights[:, :, 0], config.light.luminance_row)
-    return Samples(
-        config,
-        nodes,
-        np.asarray(sphere.unmirror(half, bands), dtype=np.float64),
-        half,
-        Reference(sets, weights, degrees, least, mean),
-    )
+    degrees, _ = sphere.degrees_orders(config.truth.bands, mirrored=True)
+    return Reference(sets, weights, degrees, least, mean_luminance(weights[:, :, 0], config.light.luminance_row))
 
 
 def _weights(config: Config, sets: Array) -> tuple[Array, Array]:

@@ -1,0 +1,52 @@
+"""Pages of measurements: sections of rows, each a table, a CSV and a picture."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from jinja2 import Environment, PackageLoader, StrictUndefined
+
+from pipeline.bench import tabular
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+Row = Mapping[str, object]
+
+
+@dataclass(frozen=True)
+class Section:
+    """One measurement: ``name`` is its files' stem, ``text`` says what was tried and how to read it."""
+
+    name: str
+    title: str
+    text: str
+    rows: Sequence[Row]
+    draw: Callable[[Sequence[Row]], Figure] | None = None
+
+
+def publish(folder: Path, title: str, lead: str, sections: Sequence[Section]) -> str:
+    """Write ``index.html``, a CSV a section and its picture into ``folder``; return all sections as text."""
+    from pipeline.report import style
+
+    folder.mkdir(parents=True, exist_ok=True)
+    shown = []
+    for section in sections:
+        tabular.save(folder / f"{section.name}.csv", section.rows)
+        if section.draw:
+            (folder / f"{section.name}.png").write_bytes(style.png(section.draw(section.rows)))
+        columns = list(section.rows[0])
+        cells = [[tabular.cell(row[c]) for c in columns] for row in section.rows]
+        shown.append({"section": section, "columns": columns, "rows": cells})
+    page = _TEMPLATES.get_template("measurements.html.j2").render(title=title, lead=lead, sections=shown)
+    (folder / "index.html").write_text(page, encoding="utf-8")
+    parts = [f"{s.title}\n{tabular.text(s.rows)}\n" for s in sections]
+    return "\n".join([*parts, f"page  {folder / 'index.html'}"])
+
+
+_TEMPLATES = Environment(
+    loader=PackageLoader("pipeline.bench"), undefined=StrictUndefined, autoescape=True, trim_blocks=True, lstrip_blocks=True
+)

@@ -1,0 +1,1 @@
+"""`make stability`: what breaks, where, and what the pipeline does about it."""

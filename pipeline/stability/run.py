@@ -1,0 +1,58 @@
+"""All stresses of one config, as a page, CSVs and text."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+from threadpoolctl import threadpool_limits
+
+from pipeline.bench import page
+from pipeline.bench.samples import sample
+from pipeline.config.schema import Config
+from pipeline.export import npz
+from pipeline.stability import bases, contraction, edges, harmonics, noise, schemes, winners
+from pipeline.table.table import Table
+
+_BANDS = 7
+LEAD = (
+    "What breaks, where, and what the pipeline does about it. Errors are fractions; E_mean is per set unless it says else."
+)
+
+
+def exported(folder: Path) -> tuple[dict[str, Table], dict[str, float]]:
+    """Return a run's exported tables and their published E_mean by name. Raises OSError where there is no run."""
+    summary = folder / "summary.json"
+    if not summary.is_file():
+        raise OSError(f"{folder} holds no summary.json. Run `make fit` with the same config first.")
+    rows = json.loads(summary.read_text(encoding="utf-8"))["tables"]
+    tables = {row["name"]: npz.read(folder / row["path"] / "skylight_sh.npz") for row in rows}
+    return tables, {row["name"]: row["e_mean"] for row in rows}
+
+
+def run(config: Config, reports: Path, advance: Callable[[int, int], None]) -> str:
+    """Run every stress, publish ``reports/<name>/stability/`` and return all rows as text; the run must exist."""
+    folder = reports / config.name
+    with threadpool_limits(1):
+        sections = []
+        for done, section in enumerate(_sections(config, folder)):
+            advance(done + 1, _COUNT)
+            sections.append(section)
+    return page.publish(folder / "stability", f"Stability of {config.name}", LEAD, sections)
+
+
+_COUNT = 8
+
+
+def _sections(config: Config, folder: Path) -> Iterator[page.Section]:
+    tables, published = exported(folder)
+    samples = sample(config, _BANDS)
+    yield bases.section(samples)
+    yield schemes.section(samples)
+    yield contraction.section(samples, tables)
+    yield noise.section(samples)
+    yield harmonics.section()
+    yield edges.section(samples, tables[config.export.recommended])
+    yield winners.second_verification(samples, tables, published)
+    yield winners.smoothness(samples, tables)

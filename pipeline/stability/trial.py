@@ -1,0 +1,71 @@
+"""One fit of the samples in a basis, by a solver, in plain or the config's own variables: what the stresses vary."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pipeline.bench.samples import Samples
+from pipeline.fit import solve
+from pipeline.fit.axes import Axis
+from pipeline.fit.bases import BASES
+from pipeline.run.stages.axes import axes_of
+from pipeline.run.stages.fit import prefactor_at, prefactor_of
+
+Array = NDArray[np.float64]
+OWN = "config"
+
+
+@dataclass(frozen=True)
+class Trial:
+    """A fit: ``dense`` ``(channels, count, d_1+1, ..)``, its axes, prefactor and the system's condition number."""
+
+    dense: Array
+    axes: tuple[Axis, ...]
+    basis: str
+    prefactor: tuple[str, tuple[float, ...]] | None
+    condition: float
+
+    def products(self, where: Array) -> Array:
+        """Return all products of basis functions at parameter sets ``(n, axes)``: ``(n, terms)``."""
+        out = np.ones((len(where), 1))
+        for i, (axis, size) in enumerate(zip(self.axes, self.dense.shape[2:], strict=True)):
+            vander = BASES[self.basis].vander(axis.scaled(where[:, i]), size - 1)
+            out = (out[:, :, np.newaxis] * vander[:, np.newaxis]).reshape(len(where), -1)
+        return out
+
+
+def paper_degrees(samples: Samples) -> list[int]:
+    """Return the paper's degrees (13, 7), or as many as the config sweeps, 3 for further axes."""
+    return [min(d, axis.degrees[1]) for d, axis in zip((13, 7, 3, 3), samples.config.axes, strict=False)]
+
+
+def factor_of(samples: Samples, kind: str, where: Array) -> Array:
+    """Return what the weights at ``where`` ``(n, axes)`` are divided by, ``(n,)``."""
+    return prefactor_at(samples.config, where) if kind == OWN else np.ones(len(where))
+
+
+def fit(samples: Samples, values: Array, degrees: Sequence[int], basis: str, solver: str, kind: str) -> Trial:
+    """Fit ``values``, shaped as ``samples.half``.
+
+    ``kind`` is a change of variable for every axis, or ``config`` for the config's own and its prefactor.
+    Raises LinAlgError where the solver gives up.
+    """
+    config = samples.config
+    axes = axes_of(config) if kind == OWN else tuple(Axis(a.name, *a.range, map=kind) for a in config.axes)
+    shape = values.shape[:-2]
+    grid = np.stack([c.ravel() for c in np.meshgrid(*samples.nodes, indexing="ij")], axis=-1)
+    right = values / factor_of(samples, kind, grid).reshape(*shape, 1, 1)
+    vander = BASES[basis].vander
+    matrices = [vander(a.scaled(n), d) for a, n, d in zip(axes, samples.nodes, degrees, strict=True)]
+    solution = solve.fit_full(right.reshape(*shape, -1), matrices, solver)
+    return Trial(
+        dense=solution.reshape(*values.shape[-2:], *solution.shape[1:]),
+        axes=axes,
+        basis=basis,
+        prefactor=prefactor_of(config) if kind == OWN else None,
+        condition=solve.condition(matrices),
+    )
