@@ -7,10 +7,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pipeline.bench import trial
 from pipeline.bench.page import Row, Section
 from pipeline.bench.samples import Samples
-from pipeline.run.stages.fit import whole_table
-from pipeline.stability import trial
 from pipeline.table.measure import headline
 
 if TYPE_CHECKING:
@@ -48,8 +47,7 @@ def section(samples: Samples) -> Section:
 
 
 def _rows(samples: Samples, label: str, basis: str, solver: str, kind: str) -> list[Row]:
-    config = samples.config
-    rest = [min(axis.degrees[1], 7) for axis in config.axes[1:]]
+    rest = [min(axis.degrees[1], 7) for axis in samples.config.axes[1:]]
     rows: list[Row] = []
     for first in (d for d in _DEGREES if d < samples.nodes[0].size):
         row: dict[str, object] = {"fit": label, "degree": first}
@@ -63,10 +61,7 @@ def _rows(samples: Samples, label: str, basis: str, solver: str, kind: str) -> l
         for dtype in ("float64", "float32"):
             # Overflow is one of the ways to break; it shows as an infinite error.
             with np.errstate(over="ignore", invalid="ignore"):
-                table = whole_table(
-                    config, made.dense, made.axes, basis, dtype, made.prefactor, config.truth.bands, mirrored=True
-                )
-                row[f"E_mean {dtype}"] = headline(table, samples.reference)
+                row[f"E_mean {dtype}"] = headline(trial.table_of(samples, made, dtype), samples.reference)
         rows.append(row)
     return rows
 

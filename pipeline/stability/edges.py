@@ -9,14 +9,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pipeline import sphere
+from pipeline.bench import trial
 from pipeline.bench.page import Row, Section
 from pipeline.bench.samples import Samples, sample
 from pipeline.config import ConfigError, parse
 from pipeline.config.schema import Config
 from pipeline.run.provenance import settings
-from pipeline.run.stages.fit import whole_table
 from pipeline.runtime import Runtime
-from pipeline.stability import trial
 from pipeline.table.measure import headline
 from pipeline.table.table import Table
 from pipeline.truth import sampling
@@ -136,9 +135,7 @@ def _near_the_pole(config: Config) -> Iterator[Row]:
 def _whole_error(samples: Samples) -> float:
     config = samples.config
     made = trial.fit(samples, samples.half, [a.degrees[1] for a in config.axes], "chebyshev", "svd", trial.OWN)
-    bands = config.truth.bands
-    table = whole_table(config, made.dense, made.axes, "chebyshev", "float64", made.prefactor, bands, mirrored=True)
-    return headline(table, samples.reference)
+    return headline(trial.table_of(samples, made, "float64"), samples.reference)
 
 
 def _truth(config: Config, values: dict[str, float]) -> Array:

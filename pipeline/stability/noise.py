@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pipeline.bench import trial
 from pipeline.bench.page import Row, Section
 from pipeline.bench.samples import Samples
-from pipeline.stability import trial
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from pipeline.bench import trial
 from pipeline.bench.page import Row, Section
 from pipeline.bench.samples import Samples
 from pipeline.fit.bases import BASES
-from pipeline.stability import trial
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -7,10 +7,10 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import NDArray
 
+from pipeline.bench import trial
 from pipeline.bench.page import Row, Section
 from pipeline.bench.samples import Samples, measured_at
 from pipeline.fit.errors import Reference
-from pipeline.stability import trial
 from pipeline.table.measure import measure
 from pipeline.table.table import Table
 

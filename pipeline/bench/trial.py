@@ -13,7 +13,8 @@ from pipeline.fit import solve
 from pipeline.fit.axes import Axis
 from pipeline.fit.bases import BASES
 from pipeline.run.stages.axes import axes_of
-from pipeline.run.stages.fit import prefactor_at, prefactor_of
+from pipeline.run.stages.fit import prefactor_at, prefactor_of, whole_table
+from pipeline.table.table import Table
 
 Array = NDArray[np.float64]
 OWN = "config"
@@ -48,11 +49,13 @@ def factor_of(samples: Samples, kind: str, where: Array) -> Array:
     return prefactor_at(samples.config, where) if kind == OWN else np.ones(len(where))
 
 
-def fit(samples: Samples, values: Array, degrees: Sequence[int], basis: str, solver: str, kind: str) -> Trial:
-    """Fit ``values``, shaped as ``samples.half``.
+def system(
+    samples: Samples, values: Array, degrees: Sequence[int], basis: str, kind: str
+) -> tuple[Array, list[Array], tuple[Axis, ...]]:
+    """Return the right side ``(n_1, .., n_D, outputs)``, the basis at each axis's nodes, and the axes of one fit.
 
-    ``kind`` is a change of variable for every axis, or ``config`` for the config's own and its prefactor.
-    Raises LinAlgError where the solver gives up.
+    ``values`` has the shape of ``samples.half``; ``kind`` is a change of variable for every axis, or ``config`` for the
+    config's own and its prefactor.
     """
     config = samples.config
     axes = axes_of(config) if kind == OWN else tuple(Axis(a.name, *a.range, map=kind) for a in config.axes)
@@ -60,12 +63,26 @@ def fit(samples: Samples, values: Array, degrees: Sequence[int], basis: str, sol
     grid = np.stack([c.ravel() for c in np.meshgrid(*samples.nodes, indexing="ij")], axis=-1)
     right = values / factor_of(samples, kind, grid).reshape(*shape, 1, 1)
     vander = BASES[basis].vander
-    matrices = [vander(a.scaled(n), d) for a, n, d in zip(axes, samples.nodes, degrees, strict=True)]
-    solution = solve.fit_full(right.reshape(*shape, -1), matrices, solver)
+    matrices = [
+        np.asarray(vander(a.scaled(n), d), dtype=np.float64) for a, n, d in zip(axes, samples.nodes, degrees, strict=True)
+    ]
+    return right.reshape(*shape, -1), matrices, axes
+
+
+def fit(samples: Samples, values: Array, degrees: Sequence[int], basis: str, solver: str, kind: str) -> Trial:
+    """Fit ``values`` as ``system`` sets it up. Raises LinAlgError where the solver gives up."""
+    right, matrices, axes = system(samples, values, degrees, basis, kind)
+    solution = solve.fit_full(right, matrices, solver)
     return Trial(
         dense=solution.reshape(*values.shape[-2:], *solution.shape[1:]),
         axes=axes,
         basis=basis,
-        prefactor=prefactor_of(config) if kind == OWN else None,
+        prefactor=prefactor_of(samples.config) if kind == OWN else None,
         condition=solve.condition(matrices),
     )
+
+
+def table_of(samples: Samples, made: Trial, dtype: str) -> Table:
+    """Return a trial as a table of all its coefficients in ``dtype``."""
+    config, bands = samples.config, samples.config.truth.bands
+    return whole_table(config, made.dense, made.axes, made.basis, dtype, made.prefactor, bands, mirrored=True)
