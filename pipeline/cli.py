@@ -39,6 +39,13 @@ class _Group(click.Group):
         except (BadInputError, OSError) as error:
             click.echo(f"Error: {error}", err=True)
             ctx.exit(2 if isinstance(error, BadInputError) else 1)
+        except RuntimeError as error:
+            from pipeline.light import MissingExtraError
+
+            if not isinstance(error, MissingExtraError):
+                raise
+            click.echo(f"Error: {error}", err=True)
+            ctx.exit(2)
 
 
 class BadInputError(Exception):

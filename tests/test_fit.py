@@ -15,7 +15,7 @@ from pipeline.fit.axes import Axis
 from pipeline.fit.bases import BASES
 
 Array = NDArray[np.float64]
-MAPS = st.sampled_from([("identity", 0.0), ("log", -0.5), ("reciprocal", -2.0), ("reciprocal", 30.0)])
+MAPS = st.sampled_from([("identity", 0.0), ("log", -0.5), ("reciprocal", -2.0), ("reciprocal", 30.0), ("cbrt", 30.0)])
 
 
 @given(low=st.floats(0.0, 3.0), width=st.floats(0.1, 9.0), kind=MAPS, share=st.floats(0.0, 1.0))

@@ -101,7 +101,9 @@ def _plain(
 def evaluations(config: Config, tables: list[tuple[str, Table]], repeats: int) -> Rows:
     """Compile each table's header with the C compiler and time it beside the paper-literal table."""
     samples: Samples = sample(config, bands=7)
-    degrees = tuple(min(d, axis.degrees[1]) for d, axis in zip((13, 7), config.axes, strict=False))
+    # The paper has two parameters; further axes keep the config's largest degree.
+    wanted = (13, 7, *(axis.degrees[1] for axis in config.axes[2:]))
+    degrees = tuple(min(d, axis.degrees[1]) for d, axis in zip(wanted, config.axes, strict=False))
     section = ReferenceSection(name="paper-literal", degrees=degrees, solver="svd")
     axes = tuple(Axis(axis.name, *axis.range) for axis in config.axes)
     literal, _ = fit_reference(samples.config, section, samples.full, axes, samples.nodes, mirrored=False)

@@ -58,6 +58,8 @@ def _axis_numbers(path: str, axis: AxisSection) -> Iterator[Problem]:
     least, largest = axis.degrees
     if axis.map == "log" and axis.point >= low:
         yield Problem(f"{path}.point", axis.point, f'map = "log" needs a point below the range: less than {low:.9g}.')
+    if axis.map == "cbrt" and axis.point < high:
+        yield Problem(f"{path}.point", axis.point, f'map = "cbrt" needs a point not below the range: at least {high:.9g}.')
     if axis.map == "reciprocal" and low <= axis.point <= high:
         yield Problem(f"{path}.point", axis.point, f'map = "reciprocal" needs a point outside [{low:.9g}, {high:.9g}].')
     if least > largest:

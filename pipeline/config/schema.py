@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
-from pipeline.light import CieGeneral, Plugin, Preetham
+from pipeline.light import CieGeneral, MitsubaSunsky, Plugin, Preetham
 
 Name = Annotated[str, Field(pattern=r"^[a-z0-9][a-z0-9_-]{0,39}$")]
 Degree = Annotated[int, Field(ge=0, le=40)]
@@ -26,11 +26,13 @@ class AxisSection(_Section):
 
     name: str = Field(description="a parameter of the light, e.g. sun_zenith (radians) or turbidity")
     range: tuple[float, float] = Field(description="[low, high] with low < high, inside the light's domain")
-    map: Literal["raw", "identity", "log", "reciprocal"] = Field(
+    map: Literal["raw", "identity", "log", "reciprocal", "cbrt"] = Field(
         "identity",
-        description="change of variable: raw (none), identity (scaled to [-1, 1]), log or reciprocal about `point`",
+        description="change of variable: raw (none), identity (scaled to [-1, 1]), log, reciprocal or cbrt about `point`",
     )
-    point: float = Field(0.0, description="singular point of map = log (below the range) or reciprocal (outside the range)")
+    point: float = Field(
+        0.0, description="singular point of map = log (below the range), reciprocal (outside) or cbrt (not below)"
+    )
     nodes: int = Field(ge=2, le=1000, description="fit nodes, more than the largest degree")
     spacing: Literal["chebyshev", "uniform"] = Field("chebyshev", description="spacing of the fit nodes")
     verification: int = Field(ge=3, le=2000, description="verification nodes, at least four times the largest degree")
@@ -120,8 +122,8 @@ class Config(_Section):
     """One run of the pipeline."""
 
     name: Name = Field(description="name of the run and of its folder under reports/: lower-case letters, digits, - and _")
-    light: Annotated[Preetham | CieGeneral | Plugin, Field(discriminator="model")] = Field(
-        description="the light: model = preetham, cie_general or plugin, and its options"
+    light: Annotated[Preetham | CieGeneral | MitsubaSunsky | Plugin, Field(discriminator="model")] = Field(
+        description="the light: model = preetham, cie_general, mitsuba_sunsky or plugin, and its options"
     )
     axes: tuple[AxisSection, ...] = Field(description="the light's parameters, one [[axes]] table each")
     truth: TruthSection = Field(description="a [truth] section: how the ground truth is sampled")

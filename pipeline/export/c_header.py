@@ -47,7 +47,7 @@ def write(table: Table, facts: Facts, prefix: str = "skylight_sh") -> str:
             "map": axis.map,
             "terms": degree + 1,
             "constants": [number(c) for c in axis.constants],
-            "expression": MAPS[axis.map].c_expression.replace("LOG", f"log{suffix}"),
+            "expression": MAPS[axis.map].c_expression.replace("LOG", f"log{suffix}").replace("CBRT", f"cbrt{suffix}"),
             "low": number(axis.low),
             "high": number(axis.high),
             "slack": number(SLACK * max(axis.high - axis.low, 1.0)),

@@ -40,6 +40,11 @@ def _reciprocal(low: float, high: float, point: float) -> tuple[float, ...]:
     return low, 2.0 * (point - high) / (high - low), point
 
 
+def _cbrt(low: float, high: float, point: float) -> tuple[float, ...]:
+    far = float(np.cbrt(point - low))
+    return point, far, 2.0 / (far - float(np.cbrt(point - high)))
+
+
 MAPS: dict[str, Map] = {
     "raw": Map(lambda *_: (), lambda v, _: v, lambda u, _: u, "v"),
     "identity": Map(
@@ -61,5 +66,13 @@ MAPS: dict[str, Map] = {
         lambda v, k: k[1] * (v - k[0]) / (k[2] - v) - 1,
         lambda u, k: ((u + 1) * k[2] + k[1] * k[0]) / (u + 1 + k[1]),
         "k[1] * (v - k[0]) / (k[2] - v) - 1",
+    ),
+    # The cube root of the distance to a point at or above the range: unlike the others, it may be singular at the end.
+    "cbrt": Map(
+        _cbrt,
+        lambda v, k: k[2] * (k[1] - np.cbrt(k[0] - v)) - 1,
+        lambda u, k: k[0] - (k[1] - (u + 1) / k[2]) ** 3,
+        "k[2] * (k[1] - CBRT(k[0] - v)) - 1",
+        c_functions=1,
     ),
 }

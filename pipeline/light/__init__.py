@@ -3,13 +3,26 @@
 from __future__ import annotations
 
 from pipeline.light.cie import CieGeneral
+from pipeline.light.mitsuba_sunsky import MitsubaSunsky
 from pipeline.light.plugin import Plugin
 from pipeline.light.preetham import Preetham
-from pipeline.light.protocol import Domain, Hints, Light, Prefactor
+from pipeline.light.protocol import Domain, Hints, Light, MissingExtraError, Prefactor
 
 # A light's dataclass fields are its options in a config's [light] section; ``model`` tells the lights apart.
-LIGHTS = {"preetham": Preetham, "cie_general": CieGeneral, "plugin": Plugin}
+LIGHTS = {"preetham": Preetham, "cie_general": CieGeneral, "mitsuba_sunsky": MitsubaSunsky, "plugin": Plugin}
 # Every prefactor a table may name.
 PREFACTORS = {p.name: p for p in (Preetham().hints.prefactor,) if p}
 
-__all__ = ["LIGHTS", "PREFACTORS", "CieGeneral", "Domain", "Hints", "Light", "Plugin", "Preetham", "Prefactor"]
+__all__ = [
+    "LIGHTS",
+    "PREFACTORS",
+    "CieGeneral",
+    "Domain",
+    "Hints",
+    "Light",
+    "MissingExtraError",
+    "MitsubaSunsky",
+    "Plugin",
+    "Preetham",
+    "Prefactor",
+]

@@ -55,6 +55,10 @@ class Hints:
     prefactor: Prefactor | None = None
 
 
+class MissingExtraError(RuntimeError):
+    """A light needs a package that is not installed, or not in the version it knows; the text says how to get it."""
+
+
 class Light(Protocol):
     """A parametric light on the upper hemisphere; the lower one is black."""
 

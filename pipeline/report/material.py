@@ -90,10 +90,10 @@ class Material:
         """The recommended table."""
         return next(entry for entry in self.winners if entry.name == self.recommended)
 
-    def describe(self, values: Array) -> str:
-        """Return a parameter set in words, angles in degrees."""
+    def describe(self, values: Array, first: int = 0) -> str:
+        """Return a parameter set in words, angles in degrees, from the axis ``first`` on."""
         parts = []
-        for axis, value in zip(self.axes, values, strict=True):
+        for axis, value in zip(self.axes[first:], values[first:], strict=True):
             shown = f"{np.degrees(value):.1f}°" if axis.unit == "rad" else f"{value:.3g}"
             parts.append(f"{axis.name.replace('_', ' ')} {shown}")
         return ", ".join(parts)

@@ -11,7 +11,8 @@ from pipeline.report.material import Material
 
 CAPTION = (
     "Largest E_mean in per cent (per-set L_min, worst channel, recommended table's bands) for every combination of "
-    "degrees, from one orthogonal fit: lower degrees are its truncations."
+    "degrees, from one orthogonal fit: lower degrees are its truncations. Two axes are shown, further ones "
+    "at the degree named above the picture."
 )
 
 
@@ -44,6 +45,8 @@ def draw(material: Material) -> Figure | None:
     axes.set_yticks(range(second.size), second.tolist())
     axes.set_xlabel(f"degree in {material.axes[0].name}")
     axes.set_ylabel(f"degree in {material.axes[1].name}")
+    held = zip(material.axes[2:], sweep.degrees[:, 2:].max(axis=0), strict=True)
+    axes.set_title(", ".join(f"degree {degree} in {axis.name}" for axis, degree in held), fontsize=10)
     figure.colorbar(image, label="largest E_mean, % of L_min")
     return figure
 

@@ -13,7 +13,7 @@ from pipeline.report.material import Entry, Material
 
 CAPTION = (
     "E_mean of each winner over the verification grid (worst channel, per-set L_min). A cross marks the worst set. "
-    "Where there are more than two axes, the worst over the others is shown."
+    "Where there are more than two axes, the worst over the others is shown, and where on them the worst set lies."
 )
 
 
@@ -42,12 +42,14 @@ def draw(material: Material) -> Figure:
             clip_on=False,
             zorder=5,
         )
-        panel.set_title(f"{entry.name}: {style.percent(entry.headline[0])}", fontsize=9)
+        where = f"\nworst at {material.describe(entry.worst, first=2)}" if material.axes[2:] else ""
+        panel.set_title(f"{entry.name}: {style.percent(entry.headline[0])}{where}", fontsize=9)
     for panel in panels[len(entries) :]:
         panel.set_axis_off()
     figure.supxlabel(_label(first))
     figure.supylabel(_label(second))
-    figure.colorbar(image, ax=panels, label="E_mean, % of L_min")
+    others = " and ".join(axis.name.replace("_", " ") for axis in material.axes[2:])
+    figure.colorbar(image, ax=panels, label="E_mean, % of L_min" + (f", worst over {others}" if others else ""))
     return figure
 
 
