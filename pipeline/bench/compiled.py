@@ -21,6 +21,8 @@ _EVALUATOR = """
 int main(void)
 {{
     float in[{inputs}], w[BENCH_SH_CHANNELS][BENCH_SH_WEIGHTS];
+    const int sizes[2] = {{ BENCH_SH_CHANNELS, BENCH_SH_WEIGHTS }};
+    fwrite(sizes, sizeof sizes, 1, stdout);
     while (fread(in, sizeof in, 1, stdin) == 1) {{
         bench_sh_weights({arguments}, w);
         fwrite(w, sizeof w, 1, stdout);
@@ -53,10 +55,11 @@ def header_of(table: Table) -> str:
     return c_header.write(table, _FACTS, PREFIX)
 
 
-def weights(table: Table, inputs: NDArray[np.float32], place: Path, flags: Sequence[str]) -> NDArray[np.float64]:
-    """Return the compiled header's ``(n, channels, N*N)`` for ``inputs`` ``(n, axes + 1)`` in the runtime's order."""
+def weights(header: str, inputs: NDArray[np.float32], place: Path, flags: Sequence[str]) -> NDArray[np.float64]:
+    """Return what a header gives for ``inputs`` ``(n, axes + 1)`` in the runtime's order: ``(n, channels, N*N)``."""
     columns = inputs.shape[1]
     source = _EVALUATOR.format(inputs=columns, arguments=", ".join(f"in[{i}]" for i in range(columns)))
-    made = program(header_of(table), source, place, flags)
+    made = program(header, source, place, flags)
     out = subprocess.run([str(made)], input=inputs.tobytes(), capture_output=True, check=True).stdout
-    return np.frombuffer(out, dtype=np.float32).reshape(len(inputs), len(table.channels), -1).astype(np.float64)
+    sizes, data = np.frombuffer(out, dtype=np.int32, count=2), np.frombuffer(out, dtype=np.float32, offset=8)
+    return data.reshape(len(inputs), *sizes).astype(np.float64)

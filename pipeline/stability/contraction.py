@@ -40,7 +40,7 @@ def section(samples: Samples, tables: Mapping[str, Table]) -> Section:
             truth = full_weights(table, samples.reference.weights, table.bands)
             row: dict[str, object] = {"table": name}
             for label, flags in _FLAGS.items():
-                got = compiled.weights(table, inputs, Path(folder) / "run", flags)
+                got = compiled.weights(compiled.header_of(table), inputs, Path(folder) / "run", flags)
                 root = np.sqrt(((got - truth) ** 2).sum(axis=-1)).max(axis=1)
                 row[f"{label}: from the runtime"] = float(np.abs(got - runtime).max() / np.abs(runtime).max())
                 row[f"{label}: E_mean"] = float((root / l_min).max())

@@ -1,0 +1,197 @@
+"""Evaluation: every table's header beside the paper-literal scheme and beside lookup tables, warm and with a cold cache."""
+
+from __future__ import annotations
+
+import statistics
+import subprocess
+import tempfile
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pipeline import sphere
+from pipeline.bench import compiled, lookup, trial
+from pipeline.bench.page import Row, Section
+from pipeline.bench.samples import Samples
+from pipeline.config.schema import ReferenceSection
+from pipeline.fit.axes import Axis
+from pipeline.run.stages.fit import fit_reference
+from pipeline.table.table import Table
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+Array = NDArray[np.float64]
+
+LITERAL = "paper-literal"
+TEXT = (
+    "One call: inputs to all weights, azimuth rotation included, float inputs, cc -O3, median over rounds that time every "
+    "program in turn. `cold` is one call after 64 MB of other memory was read, since a frame asks once. `paper-literal` is "
+    "the 2008 scheme: monomials of degree (13, 7) in double precision, all orders. `lookup` is a table over a regular grid "
+    "of the axes, interpolated linearly or cubically: the paper's naive tabulation. E_mean is of what the program returns."
+)
+_CALLS = 100_000
+_COLD = 60
+_PROGRAM = """
+#include <stdio.h>
+#include <stdlib.h>
+#include <time.h>
+#include "table.h"
+static double now(void)
+{{
+    struct timespec t;
+    timespec_get(&t, TIME_UTC);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}}
+static int compare(const void *a, const void *b)
+{{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}}
+int main(void)
+{{
+    static float w[BENCH_SH_CHANNELS][BENCH_SH_WEIGHTS];
+    static double cold[{cold}];
+    const size_t flushed = (size_t)64 << 20;
+    unsigned char *other = calloc(flushed, 1);
+    float sum = 0.0f;
+    double start;
+    int run, i;
+    size_t j;
+    if (!other) return 1;
+    for (run = 0; run < 2; ++run) {{
+        start = now();
+        for (i = 0; i < {calls}; ++i) {{
+            const float x = (float)((i * 7919) % {calls}) / {calls}.0f;
+            bench_sh_weights({arguments}, w);
+            sum += w[0][1] + w[BENCH_SH_CHANNELS - 1][BENCH_SH_WEIGHTS - 1];
+        }}
+    }}
+    printf("%.9g\\n", (now() - start) / {calls}.0);
+    for (i = 0; i < {cold}; ++i) {{
+        const float x = (float)i / {cold}.0f;
+        for (j = 0; j < flushed; j += 64) other[j] = (unsigned char)(other[j] + 1);
+        start = now();
+        bench_sh_weights({arguments}, w);
+        cold[i] = now() - start;
+        sum += w[0][1];
+    }}
+    qsort(cold, {cold}, sizeof *cold, compare);
+    printf("%.9g\\n", cold[{cold} / 2]);
+    free(other);
+    return sum == 12345.0f;
+}}
+"""
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """Something with the tables' API: its header, bytes of constants, and the bands it returns."""
+
+    header: str
+    bytes: int
+    bands: int
+
+
+def section(samples: Samples, tables: Mapping[str, Table], repeats: int) -> Section:
+    """Time all candidates in turn and measure what they return."""
+    candidates = {LITERAL: literal(samples)}
+    candidates |= {name: Candidate(compiled.header_of(table), table.bytes, table.bands) for name, table in tables.items()}
+    candidates |= _lookups(samples)
+    first, *rest = [axis.name for axis in samples.config.axes]
+    inputs = {a.name: f"{a.range[0]:.9e}f + {a.range[1] - a.range[0]:.9e}f * x" for a in samples.config.axes}
+    arguments = ", ".join([inputs[first], "6.0f * x", *(inputs[name] for name in rest)])
+    source = _PROGRAM.format(calls=_CALLS, cold=_COLD, arguments=arguments)
+    warm: dict[str, list[float]] = {name: [] for name in candidates}
+    cold: dict[str, list[float]] = {name: [] for name in candidates}
+    with tempfile.TemporaryDirectory() as folder:
+        made = {
+            name: compiled.program(candidate.header, source, Path(folder) / str(i), ["-O3"])
+            for i, (name, candidate) in enumerate(candidates.items())
+        }
+        for _ in range(repeats):
+            for name, program in made.items():
+                out = subprocess.run([str(program)], check=True, capture_output=True, text=True).stdout.split()
+                warm[name].append(float(out[0]))
+                cold[name].append(float(out[1]))
+        errors = {name: _error(samples, c, Path(folder) / "run") for name, c in candidates.items()}
+    rows = [
+        {
+            "table": name,
+            "bytes": candidate.bytes,
+            "E_mean": errors[name],
+            "ns": 1e9 * statistics.median(warm[name]),
+            "times faster": _ratio(warm[LITERAL], warm[name]),
+            "cold ns": 1e9 * statistics.median(cold[name]),
+            "cold times faster": _ratio(cold[LITERAL], cold[name]),
+        }
+        for name, candidate in candidates.items()
+    ]
+    return Section("evaluation", "Evaluation: error against time and bytes", TEXT, rows, _draw)
+
+
+def _ratio(base: Sequence[float], other: Sequence[float]) -> float:
+    """Median of the ratios round by round: a machine that slows down slows both."""
+    return statistics.median(b / o for b, o in zip(base, other, strict=True))
+
+
+def literal(samples: Samples) -> Candidate:
+    """Return the paper's scheme on these samples: monomials in double precision, every order kept."""
+    degrees = tuple(trial.paper_degrees(samples))
+    section_ = ReferenceSection(name=LITERAL, degrees=degrees, solver="svd")
+    axes = tuple(Axis(axis.name, *axis.range) for axis in samples.config.axes)
+    table, _ = fit_reference(samples.config, section_, samples.full, axes, samples.nodes, mirrored=False)
+    return Candidate(compiled.header_of(table), table.bytes, table.bands)
+
+
+def _lookups(samples: Samples) -> dict[str, Candidate]:
+    config, bands = samples.config, samples.config.truth.bands
+    degrees = [min(a.degrees[1], n.size - 1) for a, n in zip(config.axes, samples.nodes, strict=True)]
+    whole = trial.fit(samples, samples.half, degrees, "chebyshev", "svd", trial.OWN)
+    found = {}
+    for fineness in (1, 2, 4):
+        sizes = [max(4, fineness * n) for n in (16, 6, 3, 3)[: len(config.axes)]]
+        nodes = [np.linspace(*axis.range, n) for axis, n in zip(config.axes, sizes, strict=True)]
+        sets = np.stack([c.ravel() for c in np.meshgrid(*nodes, indexing="ij")], axis=-1)
+        values = np.asarray(trial.table_of(samples, whole, "float64").evaluate(sets), dtype=np.float64)
+        for kind in lookup.POINTS:
+            text = lookup.header(whole.axes, sizes, values.reshape(*sizes, *values.shape[1:]), bands, kind)
+            found[f"lookup {' x '.join(map(str, sizes))}, {kind}"] = Candidate(text, 4 * values.size, bands)
+    return found
+
+
+def _error(samples: Samples, candidate: Candidate, place: Path) -> float:
+    inputs = np.insert(samples.reference.parameters, 1, 0.0, axis=1).astype(np.float32)
+    got = compiled.weights(candidate.header, inputs, place, ["-O2"])
+    count = sphere.count(candidate.bands, mirrored=True)
+    truth = sphere.unmirror(samples.reference.weights[..., :count], candidate.bands)
+    root = np.sqrt(((got - truth) ** 2).sum(axis=-1)).max(axis=1)
+    return float((root / next(iter(samples.reference.l_min.values()))).max())
+
+
+def _draw(rows: Sequence[Row]) -> Figure:
+    from pipeline.report import style
+
+    figure = style.figure(12, 5.2)
+    left, right = figure.subplots(1, 2, sharey=True)
+    for row in rows:
+        name = str(row["table"])
+        group = 0 if name == LITERAL else 1 if name.startswith("lookup") else 2
+        label = (LITERAL, "lookup tables", "this pipeline")[group]
+        for panel, key in ((left, "ns"), (right, "bytes")):
+            panel.loglog(row[key], row["E_mean"], style.MARKERS[group], color=style.SERIES[group], markersize=8, label=label)
+            if group != 1:
+                panel.annotate(name, (row[key], row["E_mean"]), fontsize=7, xytext=(5, 4), textcoords="offset points")
+    left.set_xlabel("nanoseconds a call, warm")
+    right.set_xlabel("bytes of constants")
+    left.set_ylabel("largest E_mean of what is returned")
+    left.yaxis.set_major_formatter(style.percent_ticks())
+    for panel in (left, right):
+        panel.grid(True, alpha=0.3)
+    handles = dict(zip(*reversed(left.get_legend_handles_labels()), strict=True))
+    left.legend(handles.values(), handles.keys(), fontsize=8)
+    return figure
