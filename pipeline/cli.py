@@ -77,7 +77,7 @@ def run(config: Path, executor: str | None, workers: int | None, store: Path, re
     from pipeline.run.runner import run as run_config
     from pipeline.run.stages.select import BudgetError
     from pipeline.store.store import Store
-    from pipeline.truth.converge import NotConvergedError
+    from pipeline.truth.samples import NotConvergedError
 
     loaded = _load(config, {"executor": executor, "workers": workers})
     try:

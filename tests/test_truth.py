@@ -11,7 +11,7 @@ from scipy import integrate, optimize
 
 from pipeline import sphere
 from pipeline.light import CieGeneral, Light, Preetham
-from pipeline.truth import converge, least, sampling
+from pipeline.truth import converge, least, samples, sampling
 from pipeline.truth import sets as parameter_sets
 
 Array = NDArray[np.float64]
@@ -137,7 +137,7 @@ def test_rule_says_so_when_it_cannot_converge() -> None:
         def radiance(self, directions: Array, parameters: dict[str, Array]) -> Array:
             return self.sky.radiance(directions, parameters) * np.where(directions[..., :1] > 0.2, 2.0, 1.0)
 
-    with pytest.raises(converge.NotConvergedError, match=r"truth\.tolerance"):
+    with pytest.raises(samples.NotConvergedError, match=r"truth\.tolerance"):
         converge.choose_nodes(
             Torn(), {"sun_zenith": (0.3, 1.0), "turbidity": (3.0, 4.0)}, bands=3, mirrored=True, tolerance=1e-10
         )

@@ -6,9 +6,9 @@ which the data of Habel et al. 2008 follows).
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import ClassVar, Literal
 
 import numpy as np
@@ -125,14 +125,9 @@ class Preetham:
         gamma, cos_gamma = sun_angle(directions, theta)
         # exp(B / cos z) is 0 on the horizon itself, where B < 0 divides by zero.
         secant = 1.0 / np.maximum(directions[..., 2], 1e-300)
-        perez = np.array(_PEREZ[self.constants])
+        shape, zenith = self._of_parameters(theta, tau)
         luminance, x, y = (
-            zenith * _perez(k, tau, secant, gamma, cos_gamma) / _perez(k, tau, np.ones(()), theta, np.cos(theta))
-            for k, zenith in zip(
-                (perez[:, 0:2], perez[:, 2:4], perez[:, 4:6]),
-                (zenith_luminance(theta, tau), *self._zenith_chromaticity(theta, tau)),
-                strict=True,
-            )
+            zenith[i] * _perez_sky([row[i] for row in shape], secant, gamma, cos_gamma) for i in range(len(zenith))
         )
         scale = luminance / y
         to_rgb = colour.matrix(self.colour_space)
@@ -144,12 +139,24 @@ class Preetham:
             out[..., channel] = row[0] * red_xyz + row[1] * luminance + row[2] * blue_xyz
         return out
 
-    def _zenith_chromaticity(self, theta: Array, tau: Array) -> tuple[Array, Array]:
-        x, y = (
-            tau**2 * np.polyval(square, theta) + tau * np.polyval(linear, theta) + np.polyval(constant, theta)
-            for square, linear, constant in _ZENITH[self.constants]
-        )
-        return np.asarray(x), np.asarray(y)
+    def _of_parameters(self, theta: Array, tau: Array) -> tuple[Floats, Array]:
+        """A..E ``(5, 3, ...)`` and the zenith's values over their shape's ``(3, ...)``, for Y, x and y.
+
+        All at once, since a few samples of one sky cost less than these scalars do one by one.
+        """
+        rank = max(theta.ndim, tau.ndim)
+        perez, chromaticity = (table.reshape(*table.shape, *(1 for _ in range(rank))) for table in _tables(self.constants))
+        shape = perez[:, :, 0] * tau + perez[:, :, 1]
+        of_theta = ((chromaticity[0] * theta + chromaticity[1]) * theta + chromaticity[2]) * theta + chromaticity[3]
+        x, y = (of_theta[0] * tau + of_theta[1]) * tau + of_theta[2]
+        zenith = np.stack(np.broadcast_arrays(zenith_luminance(theta, tau), x, y))
+        return shape, zenith / _perez_sky(shape, 1.0, theta, np.cos(theta))
+
+
+@lru_cache(maxsize=len(CONSTANT_SETS))
+def _tables(constants: str) -> tuple[Array, Array]:
+    """Perez constants ``(A..E, Y x y, slope and offset)`` and zenith chromaticity ``(theta^3..1, tau^2..1, x y)``."""
+    return np.array(_PEREZ[constants]).reshape(5, 3, 2), np.array(_ZENITH[constants]).transpose(2, 1, 0)
 
 
 def zenith_luminance(theta: Floats, tau: Floats) -> Floats:
@@ -181,6 +188,11 @@ return zenith / shape;"""
 
 
 def _perez(k: Floats, tau: Floats, secant: Floats, gamma: Floats, cos_gamma: Floats) -> Floats:
-    """Perez function ``(1 + A exp(B / cos z)) (1 + C exp(D g) + E cos^2 g)`` with A..E linear in turbidity."""
-    a, b, c, d, e = (slope * tau + offset for slope, offset in k)
+    """Perez function with A..E linear in turbidity: ``k`` holds their slopes and offsets ``(5, 2)``."""
+    return _perez_sky([slope * tau + offset for slope, offset in k], secant, gamma, cos_gamma)
+
+
+def _perez_sky(shape: Sequence[Floats] | Floats, secant: Floats | float, gamma: Floats, cos_gamma: Floats) -> Floats:
+    """Perez function ``(1 + A exp(B / cos z)) (1 + C exp(D g) + E cos^2 g)`` of A..E."""
+    a, b, c, d, e = shape
     return np.asarray((1 + a * np.exp(b * secant)) * (1 + c * np.exp(d * gamma) + e * cos_gamma**2))

@@ -7,7 +7,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.sphere._indexing import degrees_orders
+from pipeline.sphere._indexing import Index, degrees_orders
 
 Array = NDArray[np.float64]
 
@@ -33,20 +33,26 @@ def rotate_y(weights: Array, angles: Array, bands: int, *, mirrored: bool) -> Ar
     ``angles`` has shape ``(g,)`` and ``weights`` ``(g, ..., count)``, count as in ``degrees_orders``. About y the
     orders m >= 0 and m < 0 do not mix, so a function even in y stays so.
     """
-    degrees, orders = degrees_orders(bands, mirrored=mirrored)
     angles = np.asarray(angles, dtype=np.float64)
     out = np.empty(weights.shape)
-    for l in range(bands):
-        blocks = [(orders >= 0, 0)] if mirrored else [(orders >= 0, 0), (orders < 0, 1)]
-        for block, first in blocks:
-            # Orders m < 0 stand in falling |m|; the matrices count |m| upwards.
-            index = np.flatnonzero((degrees == l) & block)
-            index = index[np.argsort(np.abs(orders[index]))]
-            if index.size:
-                turn = _turn_y(l, first, angles)
-                part = weights[..., index].reshape(angles.size, -1, index.size)
-                out[..., index] = (part @ turn.swapaxes(1, 2)).reshape(*weights.shape[:-1], index.size)
+    for l, first, index in _blocks(bands, mirrored):
+        turn = _turn_y(l, first, angles)
+        part = weights[..., index].reshape(angles.size, -1, index.size)
+        out[..., index] = (part @ turn.swapaxes(1, 2)).reshape(*weights.shape[:-1], index.size)
     return out
+
+
+@lru_cache(maxsize=32)
+def _blocks(bands: int, mirrored: bool) -> list[tuple[int, int, Index]]:
+    """Degree, least |m| and the places of |m| = least..l in flat order, for all orders that mix."""
+    signs = (1,) if mirrored else (1, -1)
+    found = []
+    for l in range(bands):
+        for first, sign in enumerate(signs):
+            m = np.arange(first, l + 1)
+            if m.size:
+                found.append((l, first, l * (l + 1) // 2 + m if mirrored else l * (l + 1) + sign * m))
+    return found
 
 
 def _turn_y(l: int, first: int, angles: Array) -> Array:

@@ -9,16 +9,13 @@ from numpy.typing import NDArray
 
 from pipeline.light.protocol import Light
 from pipeline.truth import sets as parameter_sets
+from pipeline.truth.samples import NotConvergedError
 from pipeline.truth.sampling import Job, peak_of, project_block
 
 Array = NDArray[np.float64]
 
 _LADDER = (24, 32, 40, 48, 56, 64, 72, 88, 104, 128, 160, 200, 256)
 _PROBES_PER_AXIS = 5
-
-
-class NotConvergedError(RuntimeError):
-    """A truth rule did not reach its tolerance within its largest number of nodes."""
 
 
 def choose_nodes(

@@ -34,14 +34,14 @@ def stratified(n: int, seed: int) -> tuple[Array, Array]:
 
 
 def project(light: Light, parameters: Mapping[str, float], directions: Array, weighted_basis: Array) -> Array:
-    """Sum one parameter set's SH weights, ``(channels, N*N)``, with a basis tabulated once by ``tabulate``."""
+    """Sum one parameter set's SH weights, ``(channels, count)``, with a basis tabulated once by ``tabulate``."""
     named = {name: np.array([value]) for name, value in parameters.items()}
     return np.asarray(light.radiance(directions, named).T @ weighted_basis)
 
 
-def tabulate(directions: Array, solid_angles: Array, bands: int) -> Array:
-    """Return the SH basis at ``directions`` times their solid angles, ``(n, N*N)``."""
-    return sphere.basis(directions, bands) * solid_angles[:, np.newaxis]
+def tabulate(directions: Array, solid_angles: Array, bands: int, *, mirrored: bool = False) -> Array:
+    """Return the SH basis at ``directions`` times their solid angles, ``(n, count)``; ``mirrored`` keeps m >= 0."""
+    return sphere.basis(directions, bands, mirrored=mirrored) * solid_angles[:, np.newaxis]
 
 
 def _directions(z: Array, phi: Array) -> Array:

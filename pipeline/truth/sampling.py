@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from pipeline.light.protocol import Light
 from pipeline.truth import least, sun_centred
+from pipeline.truth.samples import Samples
 
 Array = NDArray[np.float64]
 
@@ -31,7 +32,7 @@ def peak_of(light: Light, names: Sequence[str]) -> int | None:
     return list(names).index(light.hints.peak_axis) if light.hints.peak_axis else None
 
 
-def project_block(job: Job) -> sun_centred.Samples:
+def project_block(job: Job) -> Samples:
     """Integrate a block's SH weights, ``(g, k, channels, count)``."""
     peak = peak_of(job.light, job.names)
     parameters = {name: job.values[:, :1, i] if i == peak else job.values[..., i] for i, name in enumerate(job.names)}

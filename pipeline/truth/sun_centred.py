@@ -8,7 +8,6 @@ factors of g and waves of psi, so a sum costs N per sample instead of N*N; one r
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
@@ -16,6 +15,8 @@ from numpy.typing import NDArray
 
 from pipeline import sphere
 from pipeline.light.protocol import Light, Parameters
+from pipeline.truth.samples import Samples, keep_least
+from pipeline.truth.separated import accumulate
 
 Array = NDArray[np.float64]
 
@@ -24,15 +25,6 @@ _RING_POWER = 3
 _WAVE_POWER = 2
 _RING_SHARE = 0.75
 _WAVE_SHARE = 0.8
-
-
-@dataclass(frozen=True)
-class Samples:
-    """SH weights ``(g, k, channels, count)`` and, for each set, the least luminance met and its direction."""
-
-    weights: Array
-    least: Array
-    least_direction: Array
 
 
 def project(light: Light, parameters: Parameters, *, nodes: int, bands: int, mirrored: bool) -> Samples:
@@ -44,35 +36,39 @@ def project(light: Light, parameters: Parameters, *, nodes: int, bands: int, mir
     """
     axis = light.hints.peak_axis
     theta = parameters[axis][:, 0] if axis else np.zeros(next(iter(parameters.values())).shape[0])
-    degrees, orders = sphere.degrees_orders(bands, mirrored=mirrored)
-    factor_row = degrees * (degrees + 1) // 2 + np.abs(orders)
+    sets = np.broadcast_shapes(*(values.shape for values in parameters.values()))
     shaped = {name: values[..., np.newaxis] for name, values in parameters.items()}
-    sets = np.broadcast_shapes(*(v.shape for v in parameters.values()))
-
-    total = np.zeros((*sets, len(light.channels), degrees.size))
-    least = np.full(sets, np.inf)
-    least_direction = np.zeros((*sets, 3))
-    for g, psi, weight in _pieces(theta, nodes):
-        if not np.any(weight):
-            continue
-        factors = sphere.legendre(np.cos(g), np.sin(g), bands)[factor_row]
-        for side in (1.0,) if mirrored else (1.0, -1.0):
-            directions = _directions(theta, g, side * psi).reshape(theta.size, 1, -1, 3)
-            radiance = light.radiance(directions, shaped)
-            _keep_least(radiance @ light.luminance_row, directions, least, least_direction)
-            rings = radiance.reshape(*sets, *weight.shape[1:], -1) * weight[:, np.newaxis, :, :, np.newaxis]
-            waves = _waves(side * psi, orders) * (2.0 if mirrored else 1.0)
-            sums = np.moveaxis(rings, -1, 2).swapaxes(1, 3).reshape(theta.size, g.shape[1], -1, psi.shape[2]) @ waves
-            sums = sums.reshape(theta.size, g.shape[1], len(light.channels), sets[1], bands if mirrored else 2 * bands - 1)
-            column = np.abs(orders) if mirrored else orders + bands - 1
-            total += np.einsum("gickw,wgi->gkcw", sums[..., column], factors)
+    g, psi, weight = _nodes(theta, nodes)
+    least, least_direction = np.full(sets, np.inf), np.zeros((*sets, 3))
+    sides = []
+    for side in (1.0,) if mirrored else (1.0, -1.0):
+        directions = _directions(theta, g, side * psi).reshape(theta.size, 1, -1, 3)
+        radiance = light.radiance(directions, shaped)
+        keep_least(radiance @ light.luminance_row, directions, least, least_direction)
+        # (groups, rings, sets, channels, waves) from (groups, sets, rings times waves, channels).
+        parts = radiance.reshape(*sets, *weight.shape[1:], -1) * weight[:, np.newaxis, :, :, np.newaxis]
+        sides.append(parts.transpose(0, 2, 1, 4, 3).reshape(*g.shape, -1, psi.shape[2]))
+    total = np.zeros((theta.size, sets[1] * len(light.channels), sphere.count(bands, mirrored=mirrored)))
+    accumulate(total, sides, psi, sphere.legendre(np.cos(g), np.sin(g), bands), bands)
+    _, orders = sphere.degrees_orders(bands, mirrored=mirrored)
     # The frame's x axis points up the sky, half a turn about the peak from the turned +x.
     total *= (-1.0) ** orders
-    return Samples(sphere.rotate_y(total, theta, bands, mirrored=mirrored), least, least_direction)
+    weights = sphere.rotate_y(total, theta, bands, mirrored=mirrored).reshape(*sets, len(light.channels), -1)
+    return Samples(weights, least, least_direction, np.full(sets, np.nan))
 
 
-def _pieces(theta: Array, nodes: int) -> list[tuple[Array, Array, Array]]:
-    """Nodes g ``(groups, i)``, psi and weights ``(groups, i, j)`` over psi >= 0 of the full circles and of the arcs."""
+def half_sky(theta: float, nodes: int) -> tuple[Array, Array]:
+    """Return the nodes of one peak as ``plain`` takes them: directions ``(n, 3)`` and solid angles ``(n,)``.
+
+    They lie on one side of the peak's azimuth and stand for both: for a mirrored light, whose basis is worth a table.
+    """
+    peak = np.full(1, theta)
+    g, psi, weight = _nodes(peak, nodes)
+    return _directions(peak, g, psi).reshape(-1, 3), 2.0 * weight.ravel()
+
+
+def _nodes(theta: Array, nodes: int) -> tuple[Array, Array, Array]:
+    """Nodes g ``(groups, i)``, psi and weights ``(groups, i, j)`` over psi >= 0 of the full circles, then of the arcs."""
     waves, wave_weights = _graded(max(8, round(_WAVE_SHARE * nodes)), _WAVE_POWER)
     rings, ring_weights = _graded(max(8, round(_RING_SHARE * nodes)), _RING_POWER)
     reach = (np.pi / 2 - theta)[:, np.newaxis]
@@ -87,10 +83,11 @@ def _pieces(theta: Array, nodes: int) -> list[tuple[Array, Array, Array]]:
         cosine = np.where(h == 0.0, np.sin(u), np.tan(h) / np.tan(theta)[:, np.newaxis])
     psi_max = np.arccos(np.clip(cosine, -1.0, 1.0))[..., np.newaxis]
     arc = np.pi / 2 * v * theta[:, np.newaxis] * np.cos(u) * np.cos(h)
-    return [
-        (g, psi, weight),
-        (np.pi / 2 + h, psi_max * waves, arc[..., np.newaxis] * psi_max * wave_weights),
-    ]
+    return (
+        np.concatenate([g, np.pi / 2 + h], axis=1),
+        np.concatenate([psi, psi_max * waves], axis=1),
+        np.concatenate([weight, arc[..., np.newaxis] * psi_max * wave_weights], axis=1),
+    )
 
 
 def _graded(n: int, power: int) -> tuple[Array, Array]:
@@ -115,19 +112,3 @@ def _directions(theta: Array, g: Array, psi: Array) -> Array:
     # Rounding must not carry a node below the horizon.
     out[..., 2] = np.maximum(cos_theta * cos_g + sin_theta * up, 0.0)
     return out
-
-
-def _waves(psi: Array, orders: NDArray[np.int64]) -> Array:
-    """cos(m psi), and sin(|m| psi) for m < 0, for m from the least order to the largest: ``(..., j, m)``."""
-    m = np.arange(orders.min(), orders.max() + 1)
-    angle = psi[..., np.newaxis] * np.abs(m)
-    return np.where(m < 0, np.sin(angle), np.cos(angle))
-
-
-def _keep_least(luminance: Array, directions: Array, least: Array, where: Array) -> None:
-    place = luminance.argmin(axis=-1)
-    lowest = np.take_along_axis(luminance, place[..., np.newaxis], axis=-1)[..., 0]
-    better = lowest < least
-    least[better] = lowest[better]
-    group, _ = np.nonzero(better)
-    where[better] = directions[group, 0, place[better]]
