@@ -256,10 +256,13 @@ def check(config: Path) -> None:
 @click.option("--repeats", type=click.IntRange(3), default=7, show_default=True, help="Runs a median is taken of.")
 @_REPORTS
 def bench(config: Path, repeats: int, reports: Path) -> None:
-    """Measure error against time: truth rules, the fit, and the exported tables against the paper's."""
-    from pipeline.bench import speed
+    """Measure error against time for CONFIG, which must have run: truth rules, fits, evaluation, growth of cost."""
+    from pipeline.bench import run as benchmarks
+    from pipeline.run import progress
 
-    click.echo(speed.run(_load(config, {}), reports, repeats))
+    with progress.bar("bench") as advance:
+        text = benchmarks.run(_load(config, {}), reports, repeats, advance)
+    click.echo(text)
 
 
 @main.command()

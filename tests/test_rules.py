@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from pipeline import sphere
 from pipeline.light import CieGeneral, Domain, Hints, Light, Preetham
-from pipeline.truth import adaptive, plain, rings, sun_centred
+from pipeline.truth import adaptive, fixed, rings, sun_centred
 from pipeline.truth import sets as parameter_sets
 from pipeline.truth.samples import NotConvergedError, Samples
 
@@ -100,7 +100,7 @@ def test_a_table_of_nodes_sums_what_the_rule_does(rule: str) -> None:
         nodes, expected = rings.half_sky(1.2, 40, 7), rings.project(light, ONE, nodes=40, bands=7, mirrored=True)
     else:
         nodes, expected = sun_centred.half_sky(1.2, 40), sun_centred.project(light, ONE, nodes=40, bands=7, mirrored=True)
-    got = plain.project(light, {"sun_zenith": 1.2, "turbidity": 3.0}, nodes[0], plain.tabulate(*nodes, 7, mirrored=True))
+    got = fixed.project_one(light, {"sun_zenith": 1.2, "turbidity": 3.0}, nodes[0], fixed.tabulate(*nodes, 7, mirrored=True))
     assert error(got[np.newaxis, np.newaxis], expected.weights).max() < 1e-13
 
 

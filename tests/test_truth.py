@@ -120,7 +120,7 @@ def test_least_luminance_is_right_to_a_ten_thousandth(values: tuple[float, float
         lambda a: float(luminance(a[np.newaxis])[0]), start, bounds=[(0, HALF_PI), (0, np.pi)], method="Nelder-Mead"
     ).fun
     job = sampling.Job(light, tuple(RANGES), np.array(values).reshape(1, 1, 2), 48, 3, mirrored=True)
-    assert sampling.sample_block(job)[1][0, 0] == pytest.approx(found, rel=1e-4)
+    assert sampling.sample_block(job).least[0, 0] == pytest.approx(found, rel=1e-4)
 
 
 def test_least_luminance_search_reaches_the_horizon() -> None:

@@ -29,10 +29,11 @@ Array = NDArray[np.float64]
 
 LITERAL = "paper-literal"
 TEXT = (
-    "One call: inputs to all weights, azimuth rotation included, float inputs, cc -O3, median over rounds that time every "
-    "program in turn. `cold` is one call after 64 MB of other memory was read, since a frame asks once. `paper-literal` is "
-    "the 2008 scheme: monomials of degree (13, 7) in double precision, all orders. `lookup` is a table over a regular grid "
-    "of the axes, interpolated linearly or cubically: the paper's naive tabulation. E_mean is of what the program returns."
+    "One call: inputs to all weights, azimuth rotation included, float inputs, cc -O3, median over rounds that time "
+    "every program in turn. `cold` is one call after 64 MB of other memory was read, since a frame asks once. "
+    "`paper-literal` is the 2008 scheme: monomials of degree (13, 7) in double precision, all orders. `lookup` is a "
+    "table over a regular grid of the axes, interpolated linearly or cubically: the paper's naive tabulation. E_mean "
+    "is of what the program returns."
 )
 _CALLS = 100_000
 _COLD = 60

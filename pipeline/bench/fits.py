@@ -21,9 +21,10 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 TEXT = (
-    "The paper's degrees, from samples in memory to coefficients, median seconds beside the largest per-set E_mean on sets "
-    "the fit never saw. `tensor` solves one small system an axis, which is exact for a grid; the others solve one system "
-    "over all grid points, as the paper describes. `paper ratio`: how many times faster than monomials by normal equations."
+    "The paper's degrees, from samples in memory to coefficients, median seconds beside the largest per-set E_mean on "
+    "sets the fit never saw. `tensor` solves one small system an axis, which is exact for a grid; the others solve "
+    "one system over all grid points, as the paper describes. `paper ratio`: how many times faster than monomials by "
+    "normal equations."
 )
 _FIRST = "monomial, raw, normal"
 

@@ -13,6 +13,7 @@ from pipeline.fit.errors import Reference, mean_luminance
 from pipeline.run.stages.axes import fit_nodes
 from pipeline.truth import sampling
 from pipeline.truth import sets as parameter_sets
+from pipeline.truth.rules import suited
 
 Array = NDArray[np.float64]
 
@@ -32,7 +33,6 @@ class Samples:
 
 def sample(config: Config, bands: int, random: int = 400) -> Samples:
     """Sample the fit grid and ``random`` seeded sets plus the corners, for ``bands`` bands of a mirrored light."""
-    bands = min(bands, config.truth.bands)
     config = config.model_copy(update={"truth": config.truth.model_copy(update={"bands": bands})})
     ranges = [axis.range for axis in config.axes]
     nodes = fit_nodes(config)
@@ -48,14 +48,17 @@ def measured_at(config: Config, sets: Array) -> Reference:
     """Sample parameter sets ``(n, axes)`` as something to measure errors against."""
     weights, least = _weights(config, sets)
     degrees, _ = sphere.degrees_orders(config.truth.bands, mirrored=True)
-    return Reference(sets, weights, degrees, least, mean_luminance(weights[:, :, 0], config.light.luminance_row))
+    return Reference(sets, weights, degrees, least, mean_luminance(weights[:, :, 0], config.source.luminance_row))
 
 
 def _weights(config: Config, sets: Array) -> tuple[Array, Array]:
     bands, names = config.truth.bands, tuple(axis.name for axis in config.axes)
-    weights = np.empty((len(sets), len(config.light.channels), sphere.count(bands, mirrored=True)))
+    weights = np.empty((len(sets), len(config.source.channels), sphere.count(bands, mirrored=True)))
     least = np.empty(len(sets))
-    for block in parameter_sets.chunks(sets, sampling.peak_of(config.light, names), 64):
-        job = sampling.Job(config.light, names, sets[block], _NODES, bands, mirrored=True)
-        weights[block], least[block] = sampling.sample_block(job)
+    for block in parameter_sets.chunks(sets, sampling.peak_of(config.source, names), 64):
+        rule = suited(config.source, bands)
+        nodes = max(_NODES, bands + 12)
+        job = sampling.Job(config.source, names, sets[block], nodes, bands, True, rule, config.truth.tolerance)
+        sampled = sampling.sample_block(job)
+        weights[block], least[block] = sampled.weights, sampled.least
     return weights, least

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from functools import cached_property
 from typing import Annotated, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
-from pipeline.light import CieGeneral, MitsubaSunsky, Plugin, Preetham
+from pipeline.light import BlackBox, CieGeneral, Light, MitsubaSunsky, Plugin, Preetham
 
 Name = Annotated[str, Field(pattern=r"^[a-z0-9][a-z0-9_-]{0,39}$")]
 Degree = Annotated[int, Field(ge=0, le=40)]
@@ -47,6 +48,11 @@ class TruthSection(_Section):
     orders: Literal["auto", "all"] = Field(
         "auto", description="auto: m >= 0 alone where the light is symmetric; all: every m"
     )
+    rule: Literal["auto", "sun-centred", "rings", "zenith", "stratified", "adaptive"] = Field(
+        "auto",
+        description="truth rule: auto (by the light's hints), sun-centred, rings, zenith, stratified or adaptive",
+    )
+    hints: bool = Field(True, description="false hides what the light tells about itself: a black box")
     random: int = Field(500, ge=0, le=100_000, description="further random verification sets, 0 to 100000")
     seed: int = Field(2008, ge=0, description="seed of the random sets, 0 or more")
 
@@ -132,3 +138,8 @@ class Config(_Section):
     export: ExportSection = Field(description="an [export] section: what renderers get")
     report: ReportSection = ReportSection()
     run: RunSection = RunSection()
+
+    @cached_property
+    def source(self) -> Light:
+        """The light as the stages see it: with its hints, or as a black box."""
+        return self.light if self.truth.hints else BlackBox(self.light)

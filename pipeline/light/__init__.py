@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pipeline.light.black_box import BlackBox
 from pipeline.light.cie import CieGeneral
 from pipeline.light.mitsuba_sunsky import MitsubaSunsky
 from pipeline.light.plugin import Plugin
@@ -16,6 +17,7 @@ PREFACTORS = {p.name: p for p in (Preetham().hints.prefactor,) if p}
 __all__ = [
     "LIGHTS",
     "PREFACTORS",
+    "BlackBox",
     "CieGeneral",
     "Domain",
     "Hints",

@@ -61,12 +61,12 @@ def _truth_edges(config: Config) -> Iterator[Row]:
 
 def _sun_at_zenith(config: Config) -> Iterator[Row]:
     """Put the peak at the zenith: the sky is zonal there, and every order m > 0 must vanish."""
-    peak = config.light.hints.peak_axis
+    peak = config.source.hints.peak_axis
     if peak is None or not any(a.name == peak and a.range[0] == 0.0 for a in config.axes):
         return
     middle = {a.name: (a.range[0] + a.range[1]) / 2 for a in config.axes}
     weights = _truth(config, {**middle, peak: 0.0})
-    _, orders = sphere.degrees_orders(config.truth.bands, mirrored=config.light.hints.mirrored)
+    _, orders = sphere.degrees_orders(config.truth.bands, mirrored=config.source.hints.mirrored)
     error = float(np.abs(weights[..., orders != 0]).max() / np.abs(weights).max())
     yield _row("sun at the zenith: weights of orders m > 0", error, 1e-14, "holds: they vanish")
 
@@ -98,7 +98,7 @@ def _outside(config: Config, table: Table) -> Iterator[Row]:
 
 def _refusals(config: Config) -> Iterator[Row]:
     """Configs that reach beyond the light's domain."""
-    domains = config.light.domains
+    domains = config.source.domains
     for i, axis in enumerate(config.axes):
         domain = domains[axis.name]
         for value, end in ((domain.low - 0.1, 0), (domain.high + 0.1, 1)):
@@ -141,5 +141,5 @@ def _whole_error(samples: Samples) -> float:
 def _truth(config: Config, values: dict[str, float]) -> Array:
     names = tuple(a.name for a in config.axes)
     block = np.array([[[values[name] for name in names]]])
-    job = sampling.Job(config.light, names, block, _NODES, config.truth.bands, config.light.hints.mirrored)
+    job = sampling.Job(config.source, names, block, _NODES, config.truth.bands, config.source.hints.mirrored)
     return sampling.project_block(job).weights

@@ -2,33 +2,21 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
 from threadpoolctl import threadpool_limits
 
 from pipeline.bench import page
+from pipeline.bench.exported import exported
 from pipeline.bench.samples import sample
 from pipeline.config.schema import Config
-from pipeline.export import npz
 from pipeline.stability import bases, contraction, edges, harmonics, noise, schemes, winners
-from pipeline.table.table import Table
 
 _BANDS = 7
 LEAD = (
     "What breaks, where, and what the pipeline does about it. Errors are fractions; E_mean is per set unless it says else."
 )
-
-
-def exported(folder: Path) -> tuple[dict[str, Table], dict[str, float]]:
-    """Return a run's exported tables and their published E_mean by name. Raises OSError where there is no run."""
-    summary = folder / "summary.json"
-    if not summary.is_file():
-        raise OSError(f"{folder} holds no summary.json. Run `make fit` with the same config first.")
-    rows = json.loads(summary.read_text(encoding="utf-8"))["tables"]
-    tables = {row["name"]: npz.read(folder / row["path"] / "skylight_sh.npz") for row in rows}
-    return tables, {row["name"]: row["e_mean"] for row in rows}
 
 
 def run(config: Config, reports: Path, advance: Callable[[int, int], None]) -> str:

@@ -50,7 +50,7 @@ def smoothness(samples: Samples, tables: Mapping[str, Table]) -> Section:
     config = samples.config
     first, *rest = config.axes
     low, high = first.range
-    step = _STEP if config.light.domains[first.name].unit == "rad" else (high - low) / 9000
+    step = _STEP if config.source.domains[first.name].unit == "rad" else (high - low) / 9000
     path = np.arange(low - 100 * step, high + 100 * step, step)
     others = np.array([[a.range[0] + share * (a.range[1] - a.range[0]) for a in rest] for share in (0, 0.25, 0.5, 0.75, 1)])
     degrees = [min(axis.degrees[1], nodes.size - 1) for axis, nodes in zip(config.axes, samples.nodes, strict=True)]

@@ -9,32 +9,43 @@ from numpy.typing import NDArray
 
 from pipeline.light.protocol import Light
 from pipeline.truth import sets as parameter_sets
+from pipeline.truth.rules import RULES
 from pipeline.truth.samples import NotConvergedError
 from pipeline.truth.sampling import Job, peak_of, project_block
 
 Array = NDArray[np.float64]
 
-_LADDER = (24, 32, 40, 48, 56, 64, 72, 88, 104, 128, 160, 200, 256)
 _PROBES_PER_AXIS = 5
 
 
 def choose_nodes(
-    light: Light, ranges: Mapping[str, tuple[float, float]], *, bands: int, mirrored: bool, tolerance: float
+    light: Light,
+    ranges: Mapping[str, tuple[float, float]],
+    *,
+    rule: str = "sun-centred",
+    bands: int,
+    mirrored: bool,
+    tolerance: float,
 ) -> tuple[int, float]:
     """Return the number of nodes that meets ``tolerance`` over the whole range, and the error estimate.
 
     The weights of a coarse grid of parameter sets, edges and corners included, are computed with more and more nodes
     until two runs differ by no more than ``tolerance``, relative to each set's and channel's largest weight. The
-    finer run's node count is returned; its error is far below that difference, which is the estimate.
-    Raises NotConvergedError with the difference reached.
+    finer run's node count is returned; its error is far below that difference, which is the estimate (for random
+    samples it is below the difference in the mean). An adaptive rule needs no number, and has its own estimate: the largest
+    over the same sets. Raises NotConvergedError with the difference reached.
     """
     names = tuple(ranges)
     probes = parameter_sets.grid([np.linspace(low, high, _PROBES_PER_AXIS) for low, high in ranges.values()])
     blocks = [probes[block] for block in parameter_sets.chunks(probes, peak_of(light, names), 64)]
+    ladder = RULES[rule].ladder
+    if ladder is None:
+        jobs = [Job(light, names, block, 0, bands, mirrored, rule, tolerance) for block in blocks]
+        return 0, max(float(project_block(job).estimate.max()) for job in jobs)
     estimate = np.inf
     previous: list[Array] = []
-    for nodes in (n for n in _LADDER if n >= bands + 12):
-        current = [project_block(Job(light, names, block, nodes, bands, mirrored)).weights for block in blocks]
+    for nodes in ladder(bands):
+        current = [project_block(Job(light, names, block, nodes, bands, mirrored, rule)).weights for block in blocks]
         if previous:
             estimate = max(
                 float(np.max(np.abs(new - old).max(axis=-1) / np.abs(new).max(axis=-1)))
@@ -44,8 +55,9 @@ def choose_nodes(
                 return nodes, estimate
         previous = current
     raise NotConvergedError(
-        f"The truth did not converge: {_LADDER[-1]} nodes reach {estimate:.2g} relative, but truth.tolerance is "
-        f"{tolerance:.2g}. Raise truth.tolerance, lower truth.bands or narrow the axes' ranges."
+        f"The truth did not converge: {ladder(bands)[-1]} nodes of the rule {rule!r} reach {estimate:.2g} relative, but "
+        f"truth.tolerance is {tolerance:.2g}. Raise truth.tolerance, lower truth.bands, narrow the axes' ranges or choose "
+        "another truth.rule."
     )
 
 

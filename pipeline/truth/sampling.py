@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pipeline.light.protocol import Light
-from pipeline.truth import least, sun_centred
+from pipeline.truth import least
+from pipeline.truth.rules import RULES
 from pipeline.truth.samples import Samples
 
 Array = NDArray[np.float64]
@@ -17,7 +18,10 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Job:
-    """A block ``values`` ``(g, k, axes)`` of parameters called ``names``, equal along k on the peak's axis."""
+    """A block ``values`` ``(g, k, axes)`` of parameters called ``names``, equal along k on the peak's axis.
+
+    ``rule`` names the truth rule; ``nodes`` is for one with fixed nodes, ``tolerance`` for an adaptive one.
+    """
 
     light: Light
     names: tuple[str, ...]
@@ -25,6 +29,8 @@ class Job:
     nodes: int
     bands: int
     mirrored: bool
+    rule: str = "sun-centred"
+    tolerance: float = 1e-10
 
 
 def peak_of(light: Light, names: Sequence[str]) -> int | None:
@@ -33,15 +39,17 @@ def peak_of(light: Light, names: Sequence[str]) -> int | None:
 
 
 def project_block(job: Job) -> Samples:
-    """Integrate a block's SH weights, ``(g, k, channels, count)``."""
+    """Integrate a block's SH weights, ``(g, k, channels, count)``. Raises NotConvergedError from an adaptive rule."""
     peak = peak_of(job.light, job.names)
     parameters = {name: job.values[:, :1, i] if i == peak else job.values[..., i] for i, name in enumerate(job.names)}
-    return sun_centred.project(job.light, parameters, nodes=job.nodes, bands=job.bands, mirrored=job.mirrored)
+    rule = RULES[job.rule]
+    setting = {"nodes": job.nodes} if rule.ladder else {"tolerance": job.tolerance}
+    return rule.project(job.light, parameters, bands=job.bands, mirrored=job.mirrored, **setting)
 
 
-def sample_block(job: Job) -> tuple[Array, Array]:
-    """Return a block's weights ``(g, k, channels, count)`` and least luminances ``(g, k)``."""
+def sample_block(job: Job) -> Samples:
+    """Return a block's samples with each set's least luminance sharpened."""
     samples = project_block(job)
     flat = {name: job.values[..., i].ravel() for i, name in enumerate(job.names)}
     lowest = least.refine(job.light, flat, samples.least_direction.reshape(-1, 3), samples.least.ravel())
-    return samples.weights, lowest.reshape(samples.least.shape)
+    return replace(samples, least=lowest.reshape(samples.least.shape))

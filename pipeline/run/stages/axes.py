@@ -14,7 +14,7 @@ Array = NDArray[np.float64]
 def axes_of(config: Config) -> tuple[Axis, ...]:
     """Return the config's axes with their units, in its order."""
     return tuple(
-        Axis(axis.name, *axis.range, unit=config.light.domains[axis.name].unit, map=axis.map, point=axis.point)
+        Axis(axis.name, *axis.range, unit=config.source.domains[axis.name].unit, map=axis.map, point=axis.point)
         for axis in config.axes
     )
 

@@ -75,7 +75,7 @@ def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
             "keys": {"select": str(select.attrs["key"])},
         }
         table = dataclasses.replace(table_of(select, name), provenance=provenance)
-        facts = c_header.Facts(config.light.title, row["e_mean"], row["e_max"], row["l_min"], _lines(config, provenance))
+        facts = c_header.Facts(config.source.title, row["e_mean"], row["e_max"], row["l_min"], _lines(config, provenance))
         files[f"{row['path']}/skylight_sh.npz"] = npz.write(table)
         files[f"{row['path']}/skylight_sh.h"] = c_header.write(table, facts, config.export.prefix).encode()
     summary = {"config": settings(config), "recommended": config.export.recommended, "tables": rows}

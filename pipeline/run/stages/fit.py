@@ -59,19 +59,19 @@ def reference_of(config: Config, inputs: Inputs) -> Reference:
         weights=weights,
         degrees=parts[0]["degree"],
         least=np.concatenate([p["least_luminance"].ravel() for p in parts]),
-        mean=mean_luminance(weights[:, :, 0], config.light.luminance_row),
+        mean=mean_luminance(weights[:, :, 0], config.source.luminance_row),
     )
 
 
 def prefactor_of(config: Config) -> tuple[str, tuple[float, ...]] | None:
     """Return the name and constants of the prefactor that the config's fit divides by, or None."""
-    hint = config.light.hints.prefactor
+    hint = config.source.hints.prefactor
     return (hint.name, hint.constants) if config.fit.prefactor and hint else None
 
 
 def prefactor_at(config: Config, parameters: Array) -> Array:
     """Return the prefactor at parameter sets ``(n, axes)``, shape ``(n,)``; ones where there is none."""
-    hint = config.light.hints.prefactor
+    hint = config.source.hints.prefactor
     if not (config.fit.prefactor and hint):
         return np.ones(len(parameters))
     named = {axis.name: parameters[:, i] for i, axis in enumerate(config.axes)}
@@ -182,7 +182,7 @@ def whole_table(
         dense,
         lengths,
         axes=axes,
-        channels=config.light.channels,
+        channels=config.source.channels,
         bands=bands,
         mirrored=mirrored,
         basis=basis,

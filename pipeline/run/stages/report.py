@@ -57,13 +57,15 @@ def _material(config: Config, inputs: Inputs) -> Material:
 
     def sample(values: Array) -> Array:
         nodes, mirrored = int(rule.attrs["nodes"]), bool(rule.attrs["mirrored"])
-        job = sampling.Job(config.light, names, values.reshape(1, 1, -1), nodes, config.truth.bands, mirrored)
+        rule_, tolerance = str(rule.attrs["rule"]), config.truth.tolerance
+        block, bands = values.reshape(1, 1, -1), config.truth.bands
+        job = sampling.Job(config.source, names, block, nodes, bands, mirrored, rule_, tolerance)
         return np.asarray(sampling.project_block(job).weights[0, 0])
 
     return Material(
         name=config.name,
         basis=config.fit.basis,
-        light=config.light,
+        light=config.source,
         axes=axes_of(config),
         conventions=tuple(str(select.attrs["conventions"]).split(",")),
         winners=tuple(_entry(select, f"tables/{name}", name) for name in table_names(config)),

@@ -77,7 +77,7 @@ def _cheapest(config: Config, winner: WinnerSection, budget: float, fit: Dataset
             dense,
             lengths,
             axes=axes_of(config),
-            channels=config.light.channels,
+            channels=config.source.channels,
             bands=winner.bands,
             mirrored=mirrored,
             basis=config.fit.basis,

@@ -16,6 +16,8 @@ from pipeline.run.stages.axes import axes_of, fit_nodes, verification_nodes
 from pipeline.store.dataset import Dataset, Variable
 from pipeline.truth import converge, sampling
 from pipeline.truth import sets as parameter_sets
+from pipeline.truth.rules import suited
+from pipeline.truth.samples import Samples
 
 Array = NDArray[np.float64]
 
@@ -31,6 +33,8 @@ def steps(config: Config) -> list[Step]:
         "bands": config.truth.bands,
         "tolerance": config.truth.tolerance,
         "orders": config.truth.orders,
+        "rule": config.truth.rule,
+        "hints": config.truth.hints,
     }
     spacing = {axis.name: (axis.nodes, axis.spacing, axis.map, axis.point) for axis in config.axes}
     rule = Step("truth", "rule", _CODE, (), common, partial(_make_rule, config))
@@ -53,77 +57,83 @@ def steps(config: Config) -> list[Step]:
 
 
 def _make_rule(config: Config, _: Inputs, __: Advance) -> Dataset:
+    light, truth = config.source, config.truth
     ranges = {axis.name: axis.range for axis in config.axes}
-    symmetric = config.light.hints.mirrored and converge.is_mirrored(config.light, ranges)
-    mirrored = symmetric and config.truth.orders == "auto"
+    # A claim is spot-checked; a light that claims nothing is looked at closely.
+    symmetric = converge.is_mirrored(light, ranges, samples=512 if light.hints.mirrored else 20_000)
+    mirrored = symmetric and truth.orders == "auto"
+    rule = suited(light, truth.bands) if truth.rule == "auto" else truth.rule
     nodes, estimate = converge.choose_nodes(
-        config.light, ranges, bands=config.truth.bands, mirrored=mirrored, tolerance=config.truth.tolerance
+        light, ranges, rule=rule, bands=truth.bands, mirrored=mirrored, tolerance=truth.tolerance
     )
-    return Dataset({}, {"rule": "sun-centred", "nodes": nodes, "estimate": estimate, "mirrored": mirrored})
+    return Dataset({}, {"rule": rule, "nodes": nodes, "estimate": estimate, "mirrored": mirrored})
 
 
 def _make_grid(config: Config, nodes: list[Array], name: str, inputs: Inputs, advance: Advance) -> Dataset:
     shape = tuple(n.size for n in nodes)
-    weights, lowest, rule = _sample(config, parameter_sets.grid(nodes), inputs, advance)
+    samples, rule = _sample(config, parameter_sets.grid(nodes), inputs, advance)
     dims = tuple(axis.name for axis in config.axes)
     coordinates = {
         axis.name: Variable((axis.name,), values, {"units": axis.unit, "long_name": axis.name.replace("_", " ")})
         for axis, values in zip(axes_of(config), nodes, strict=True)
     }
-    return _dataset(
-        config, coordinates, dims, weights.reshape(*shape, *weights.shape[1:]), lowest.reshape(shape), rule, name
-    )
+    return _dataset(config, coordinates, dims, shape, samples, rule, name)
 
 
 def _make_random(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
     sets = parameter_sets.random([axis.range for axis in config.axes], config.truth.random, config.truth.seed)
-    weights, lowest, rule = _sample(config, sets, inputs, advance)
+    samples, rule = _sample(config, sets, inputs, advance)
     coordinates = {"set": Variable(("set",), np.arange(len(sets)))} | {
         axis.name: Variable(("set",), sets[:, i], {"units": axis.unit}) for i, axis in enumerate(axes_of(config))
     }
-    return _dataset(config, coordinates, ("set",), weights, lowest, rule, "random")
+    return _dataset(config, coordinates, ("set",), (len(sets),), samples, rule, "random")
 
 
-def _sample(config: Config, sets: Array, inputs: Inputs, advance: Advance) -> tuple[Array, Array, Dataset]:
-    rule = inputs["truth/rule"]
-    nodes, mirrored = int(rule.attrs["nodes"]), bool(rule.attrs["mirrored"])
+def _sample(config: Config, sets: Array, inputs: Inputs, advance: Advance) -> tuple[Samples, Dataset]:
+    """Sample parameter sets ``(n, axes)``, in tasks; the samples' shapes start with ``(n,)``."""
+    rule, light = inputs["truth/rule"], config.source
+    nodes, mirrored, name = int(rule.attrs["nodes"]), bool(rule.attrs["mirrored"]), str(rule.attrs["rule"])
     names = tuple(axis.name for axis in config.axes)
-    blocks = parameter_sets.chunks(sets, sampling.peak_of(config.light, names), _SETS_PER_TASK)
-    jobs = [sampling.Job(config.light, names, sets[block], nodes, config.truth.bands, mirrored) for block in blocks]
+    blocks = parameter_sets.chunks(sets, sampling.peak_of(light, names), _SETS_PER_TASK)
+    bands, tolerance = config.truth.bands, config.truth.tolerance
+    jobs = [sampling.Job(light, names, sets[block], nodes, bands, mirrored, name, tolerance) for block in blocks]
     results = map_tasks(
         sampling.sample_block, jobs, executor=config.run.executor, workers=config.run.workers, advance=advance
     )
-    count = sphere.count(config.truth.bands, mirrored=mirrored)
-    weights = np.empty((len(sets), len(config.light.channels), count))
-    lowest = np.empty(len(sets))
-    for block, (block_weights, block_lowest) in zip(blocks, results, strict=True):
-        weights[block], lowest[block] = block_weights, block_lowest
-    return weights, lowest, rule
+    count = sphere.count(bands, mirrored=mirrored)
+    shape = (len(sets), len(light.channels), count)
+    whole = Samples(np.empty(shape), np.empty(len(sets)), np.empty((len(sets), 3)), np.empty(len(sets)))
+    for block, part in zip(blocks, results, strict=True):
+        whole.weights[block], whole.least[block], whole.estimate[block] = part.weights, part.least, part.estimate
+    return whole, rule
 
 
 def _dataset(
     config: Config,
     coordinates: dict[str, Variable],
     dims: tuple[str, ...],
-    weights: Array,
-    lowest: Array,
+    shape: tuple[int, ...],
+    samples: Samples,
     rule: Dataset,
     name: str,
 ) -> Dataset:
     degrees, orders = sphere.degrees_orders(config.truth.bands, mirrored=bool(rule.attrs["mirrored"]))
     variables = coordinates | {
-        "channel": Variable(("channel",), np.array(config.light.channels)),
+        "channel": Variable(("channel",), np.array(config.source.channels)),
         "weight": Variable(("weight",), degrees * (degrees + 1) + orders, {"long_name": "flat index l*(l+1)+m"}),
         "degree": Variable(("weight",), degrees, {"long_name": "degree l"}),
         "order": Variable(("weight",), orders, {"long_name": "order m"}),
         "weights": Variable(
             (*dims, "channel", "weight"),
-            weights,
+            samples.weights.reshape(*shape, *samples.weights.shape[1:]),
             {"units": "cd m-2 sr0.5", "long_name": "SH weights", "coordinates": "degree order"},
         ),
         "least_luminance": Variable(
-            dims, lowest, {"units": "cd m-2", "long_name": "least luminance of the upper hemisphere"}
+            dims, samples.least.reshape(shape), {"units": "cd m-2", "long_name": "least luminance of the upper hemisphere"}
         ),
     }
-    attrs = {"sets": name, "light": config.light.title, **rule.attrs}
+    if np.all(np.isfinite(samples.estimate)):
+        told = {"long_name": "error measured, relative to the set's largest weight"}
+        variables["estimate"] = Variable(dims, samples.estimate.reshape(shape), told)
+    attrs = {"sets": name, "light": config.source.title, **rule.attrs}
     return Dataset(variables, {key: value for key, value in attrs.items() if key not in ("step", "key")})

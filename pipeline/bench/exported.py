@@ -1,0 +1,19 @@
+"""The tables that a run has published."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+from pipeline.export import npz
+from pipeline.table.table import Table
+
+
+def exported(folder: Path) -> tuple[dict[str, Table], dict[str, float]]:
+    """Return a run's exported tables and their published E_mean by name. Raises OSError where there is no run."""
+    summary = folder / "summary.json"
+    if not summary.is_file():
+        raise OSError(f"{folder} holds no summary.json. Run `make fit` with the same config first.")
+    rows = json.loads(summary.read_text(encoding="utf-8"))["tables"]
+    tables = {row["name"]: npz.read(folder / row["path"] / "skylight_sh.npz") for row in rows}
+    return tables, {row["name"]: row["e_mean"] for row in rows}
