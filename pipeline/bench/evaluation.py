@@ -17,9 +17,7 @@ from pipeline import sphere
 from pipeline.bench import compiled, lookup, trial
 from pipeline.bench.page import Row, Section
 from pipeline.bench.samples import Samples
-from pipeline.config.schema import ReferenceSection
-from pipeline.fit.axes import Axis
-from pipeline.run.stages.fit import fit_reference
+from pipeline.export import paper_literal
 from pipeline.table.table import Table
 
 if TYPE_CHECKING:
@@ -69,6 +67,8 @@ int main(void)
         for (i = 0; i < {calls}; ++i) {{
             const float x = (float)((i * 7919) % {calls}) / {calls}.0f;
             bench_sh_weights({arguments}, w);
+            /* Every store counts: without this a compiler drops those that nobody reads. */
+            __asm__ volatile("" : : "g"(w) : "memory");
             sum += w[0][1] + w[BENCH_SH_CHANNELS - 1][BENCH_SH_WEIGHTS - 1];
         }}
     }}
@@ -142,11 +142,10 @@ def _ratio(base: Sequence[float], other: Sequence[float]) -> float:
 
 def literal(samples: Samples) -> Candidate:
     """Return the paper's scheme on these samples: monomials in double precision, every order kept."""
-    degrees = tuple(trial.paper_degrees(samples))
-    section_ = ReferenceSection(name=LITERAL, degrees=degrees, solver="svd")
-    axes = tuple(Axis(axis.name, *axis.range) for axis in samples.config.axes)
-    table, _ = fit_reference(samples.config, section_, samples.full, axes, samples.nodes, mirrored=False)
-    return Candidate(compiled.header_of(table), table.bytes, table.bands)
+    made = trial.fit(samples, samples.full, trial.paper_degrees(samples), "monomial", "svd", "raw")
+    names = [axis.name for axis in samples.config.axes]
+    text = paper_literal.write(made.dense, names, samples.frame.channels, compiled.PREFIX)
+    return Candidate(text, made.dense.nbytes, samples.config.truth.bands)
 
 
 def _lookups(samples: Samples) -> dict[str, Candidate]:

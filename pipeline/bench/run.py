@@ -33,7 +33,7 @@ def run(config: Config, reports: Path, repeats: int, advance: Callable[[int, int
 
 def _sections(config: Config, folder: Path, repeats: int) -> Iterator[page.Section]:
     tables, _ = exported(folder)
-    samples = sample(config, _BANDS)
+    samples = sample(config, _BANDS, like=tables[config.export.recommended])
     yield rules.section(config, repeats)
     yield fits.section(samples, repeats)
     yield evaluation.section(samples, tables, repeats)

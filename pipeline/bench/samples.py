@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 from pipeline import sphere
 from pipeline.config.schema import Config
 from pipeline.fit.errors import Reference, mean_luminance
-from pipeline.run.stages.axes import fit_nodes
+from pipeline.run.stages.axes import fit_nodes, frame_of, is_searched
+from pipeline.table.table import Frame, Table
 from pipeline.truth import sampling
 from pipeline.truth import sets as parameter_sets
 from pipeline.truth.rules import suited
@@ -22,26 +23,40 @@ _NODES = 56
 
 @dataclass(frozen=True)
 class Samples:
-    """Weights on the fit grid, ``(n_1, .., n_D, channels, count)``: all N*N (``full``) and m >= 0 alone (``half``)."""
+    """Weights on the fit grid, ``(n_1, .., n_D, channels, count)``: all N*N (``full``) and m >= 0 alone (``half``).
+
+    ``frame`` has the run's own axes, changes of variable and factor.
+    """
 
     config: Config
+    frame: Frame
     nodes: list[Array]
     full: Array
     half: Array
     reference: Reference
 
 
-def sample(config: Config, bands: int, random: int = 400) -> Samples:
-    """Sample the fit grid and ``random`` seeded sets plus the corners, for ``bands`` bands of a mirrored light."""
+def sample(config: Config, bands: int, random: int = 400, like: Table | None = None) -> Samples:
+    """Sample the fit grid and ``random`` seeded sets plus the corners, for ``bands`` bands of a mirrored light.
+
+    ``like`` is a table of the run: changes of variable and factor that the run has found in samples are its.
+    """
     config = config.model_copy(update={"truth": config.truth.model_copy(update={"bands": bands})})
     ranges = [axis.range for axis in config.axes]
-    nodes = fit_nodes(config)
+    frame = _frame(config, like)
+    nodes = fit_nodes(config, frame.axes)
     grid, _ = _weights(config, parameter_sets.grid(nodes))
     half = grid.reshape(*(n.size for n in nodes), *grid.shape[1:])
     corners = parameter_sets.grid([np.array(r) for r in ranges])
     sets = np.concatenate([corners, parameter_sets.random(ranges, random, 77)])
     full = np.asarray(sphere.unmirror(half, bands), dtype=np.float64)
-    return Samples(config, nodes, full, half, measured_at(config, sets))
+    return Samples(config, frame, nodes, full, half, measured_at(config, sets))
+
+
+def _frame(config: Config, like: Table | None) -> Frame:
+    if like is not None and is_searched(config):
+        return Frame(like.axes, like.channels, True, like.basis, like.factor)
+    return frame_of(config, {}, mirrored=True)
 
 
 def measured_at(config: Config, sets: Array) -> Reference:

@@ -12,9 +12,9 @@ from pipeline.bench.samples import Samples
 from pipeline.fit import solve
 from pipeline.fit.axes import Axis
 from pipeline.fit.bases import BASES
-from pipeline.run.stages.axes import axes_of
-from pipeline.run.stages.fit import prefactor_at, prefactor_of, whole_table
-from pipeline.table.table import Table
+from pipeline.table import factor as factors
+from pipeline.table.factor import Factor
+from pipeline.table.table import Frame, Table, whole
 
 Array = NDArray[np.float64]
 OWN = "config"
@@ -22,12 +22,12 @@ OWN = "config"
 
 @dataclass(frozen=True)
 class Trial:
-    """A fit: ``dense`` ``(channels, count, d_1+1, ..)``, its axes, prefactor and the system's condition number."""
+    """A fit: ``dense`` ``(channels, count, d_1+1, ..)``, its axes, factor and the system's condition number."""
 
     dense: Array
     axes: tuple[Axis, ...]
     basis: str
-    prefactor: tuple[str, tuple[float, ...]] | None
+    factor: Factor | None
     condition: float
 
     def products(self, where: Array) -> Array:
@@ -46,7 +46,9 @@ def paper_degrees(samples: Samples) -> list[int]:
 
 def factor_of(samples: Samples, kind: str, where: Array) -> Array:
     """Return what the weights at ``where`` ``(n, axes)`` are divided by, ``(n,)``."""
-    return prefactor_at(samples.config, where) if kind == OWN else np.ones(len(where))
+    return np.asarray(
+        factors.evaluate(samples.frame.factor if kind == OWN else None, samples.frame.axes, where), dtype=np.float64
+    )
 
 
 def system(
@@ -58,7 +60,7 @@ def system(
     config's own and its prefactor.
     """
     config = samples.config
-    axes = axes_of(config) if kind == OWN else tuple(Axis(a.name, *a.range, map=kind) for a in config.axes)
+    axes = samples.frame.axes if kind == OWN else tuple(Axis(a.name, *a.range, map=kind) for a in config.axes)
     shape = values.shape[:-2]
     grid = np.stack([c.ravel() for c in np.meshgrid(*samples.nodes, indexing="ij")], axis=-1)
     right = values / factor_of(samples, kind, grid).reshape(*shape, 1, 1)
@@ -77,12 +79,12 @@ def fit(samples: Samples, values: Array, degrees: Sequence[int], basis: str, sol
         dense=solution.reshape(*values.shape[-2:], *solution.shape[1:]),
         axes=axes,
         basis=basis,
-        prefactor=prefactor_of(samples.config) if kind == OWN else None,
+        factor=samples.frame.factor if kind == OWN else None,
         condition=solve.condition(matrices),
     )
 
 
 def table_of(samples: Samples, made: Trial, dtype: str) -> Table:
     """Return a trial as a table of all its coefficients in ``dtype``."""
-    config, bands = samples.config, samples.config.truth.bands
-    return whole_table(config, made.dense, made.axes, made.basis, dtype, made.prefactor, bands, mirrored=True)
+    frame = Frame(made.axes, samples.frame.channels, True, made.basis, made.factor)
+    return whole(frame, made.dense, samples.config.truth.bands, dtype)

@@ -1,7 +1,7 @@
 """Configs: schema, loading, checks."""
 
 from pipeline.config.loading import ConfigError, load, parse
-from pipeline.config.names import table_names, winner_names
+from pipeline.config.names import Wanted, table_names, wanted
 from pipeline.config.schema import Config
 
-__all__ = ["Config", "ConfigError", "load", "parse", "table_names", "winner_names"]
+__all__ = ["Config", "ConfigError", "Wanted", "load", "parse", "table_names", "wanted"]

@@ -76,6 +76,8 @@ def _axis_numbers(path: str, axis: AxisSection) -> Iterator[Problem]:
 
 def _fit(config: Config) -> Iterator[Problem]:
     fit = config.fit
+    if fit.prefactor == "auto" and fit.basis != "chebyshev":
+        yield Problem("$.fit.prefactor", fit.prefactor, 'The search needs basis = "chebyshev". Use true or false.')
     if fit.solver == "normal" and fit.basis == "chebyshev":
         yield Problem("$.fit.solver", fit.solver, 'Normal equations are for basis = "monomial". Use solver = "svd".')
     if fit.basis != "chebyshev" and any(axis.degrees[0] != axis.degrees[1] for axis in config.axes):
@@ -101,6 +103,10 @@ def _winners(config: Config) -> Iterator[Problem]:
             yield Problem(path, {"budgets": list(winner.budgets)}, "Give either budgets, or degrees.")
         if winner.degrees is not None:
             yield from _degrees(config, f"{path}.degrees", winner.degrees, [axis.degrees[1] for axis in config.axes])
+        if "packed" in winner.layouts and (winner.degrees is not None or winner.dtype != "float32"):
+            yield Problem(
+                f"{path}.layouts", list(winner.layouts), 'Packed tables need budgets and dtype = "float32". Use ["rows"].'
+            )
         if winner.budgets and config.fit.basis != "chebyshev":
             yield Problem(f"{path}.budgets", list(winner.budgets), 'Budgets need basis = "chebyshev"; give degrees instead.')
 

@@ -27,7 +27,7 @@ class AxisSection(_Section):
 
     name: str = Field(description="a parameter of the light, e.g. sun_zenith (radians) or turbidity")
     range: tuple[float, float] = Field(description="[low, high] with low < high, inside the light's domain")
-    map: Literal["raw", "identity", "log", "reciprocal", "cbrt"] = Field(
+    map: Literal["raw", "identity", "log", "reciprocal", "cbrt", "auto"] = Field(
         "identity",
         description="change of variable: raw (none), identity (scaled to [-1, 1]), log, reciprocal or cbrt about `point`",
     )
@@ -73,7 +73,10 @@ class FitSection(_Section):
 
     basis: BasisName = Field("chebyshev", description="chebyshev, legendre, monomial (the paper) or fourier")
     solver: SolverName = Field("svd", description="svd, qr, or normal (the normal equations, for monomials)")
-    prefactor: bool = Field(True, description="divide by the light's closed-form prefactor where it has one")
+    prefactor: bool | Literal["auto"] = Field(
+        True,
+        description="true: divide by the light's closed form if it has one; false: by nothing; auto: find one in samples",
+    )
     references: tuple[ReferenceSection, ...] = Field((), description="fits to show beside this one")
 
 
@@ -86,6 +89,11 @@ class WinnerSection(_Section):
         None, description="instead of budgets: one degree an axis, every coefficient kept"
     )
     dtype: DType = Field("float32", description="number type of the table")
+    layouts: tuple[Literal["rows", "packed"], ...] = Field(
+        ("rows",),
+        min_length=1,
+        description="rows: laid out for speed; packed: whole numbers in the fewest bytes (budgets and float32 alone)",
+    )
 
 
 class ExportSection(_Section):

@@ -5,24 +5,30 @@ from __future__ import annotations
 import io
 import json
 import zipfile
+from collections.abc import Mapping
 from dataclasses import asdict
 from pathlib import Path
-from typing import BinaryIO
+from typing import Any, BinaryIO
 
 import numpy as np
 from numpy.typing import NDArray
 
+from pipeline import sphere
 from pipeline.fit.axes import Axis
+from pipeline.table.factor import ClosedForm, Factor, Reciprocal
+from pipeline.table.packed import Packed
+from pipeline.table.rows import Rows
 from pipeline.table.table import Table
 
-FORMAT = 1
+FORMAT = 2
 _NO_DATE = (1980, 1, 1, 0, 0, 0)
+_NONE = np.zeros(0, dtype=np.float32)
 
 
 def write(table: Table) -> bytes:
     """Return the bytes of ``table`` as an NPZ archive; equal tables give equal bytes."""
-    name, constants = table.prefactor or ("", ())
-    header = {
+    header, arrays = _body(table.body)
+    header |= {
         "format": FORMAT,
         "axes": [asdict(axis) for axis in table.axes],
         "channels": table.channels,
@@ -30,18 +36,14 @@ def write(table: Table) -> bytes:
         "mirrored": table.mirrored,
         "basis": table.basis,
         "degrees": table.degrees,
-        "prefactor": name,
-        "prefactor_constants": constants,
+        "prefactor": table.factor.name if isinstance(table.factor, ClosedForm) else "",
+        "prefactor_constants": table.factor.constants if isinstance(table.factor, ClosedForm) else (),
         "provenance": table.provenance,
     }
-    arrays: dict[str, NDArray[np.generic]] = {
-        "header": np.array(json.dumps(header, sort_keys=True)),
-        "lengths": table.lengths,
-        "coefficients": table.coefficients,
-    }
+    arrays["denominator"] = table.factor.coefficients if isinstance(table.factor, Reciprocal) else _NONE
     out = io.BytesIO()
     with zipfile.ZipFile(out, "w", zipfile.ZIP_STORED) as archive:
-        for key, array in arrays.items():
+        for key, array in {"header": np.array(json.dumps(header, sort_keys=True)), **arrays}.items():
             member = io.BytesIO()
             np.lib.format.write_array(member, np.ascontiguousarray(array) if array.ndim else array, allow_pickle=False)
             archive.writestr(zipfile.ZipInfo(f"{key}.npy", _NO_DATE), member.getvalue())
@@ -56,14 +58,41 @@ def read(path: str | Path | BinaryIO) -> Table:
             raise ValueError("it is no archive")
         with np.load(path, allow_pickle=False) as archive:
             header = json.loads(str(archive["header"]))
-            lengths, coefficients = archive["lengths"], archive["coefficients"]
-    except (OSError, KeyError, ValueError, EOFError, zipfile.BadZipFile) as error:
+            if header.get("format") != FORMAT:
+                found = header.get("format")
+                raise ValueError(f"its format is {found!r}, this version reads {FORMAT}: run the fit again")
+            return _table(header, archive)
+    except (OSError, KeyError, TypeError, ValueError, EOFError, zipfile.BadZipFile) as error:
         raise ValueError(f"{path} is no table of this pipeline ({error}). Give the .npz that a run exported.") from error
-    if header.get("format") != FORMAT:
-        raise ValueError(
-            f"{path} has table format {header.get('format')!r}, this version reads {FORMAT}. Run the fit again."
+
+
+def _body(body: Rows | Packed) -> tuple[dict[str, object], dict[str, NDArray[Any]]]:
+    if isinstance(body, Rows):
+        return {"layout": body.kind}, {"lengths": body.lengths, "rows": body.rows}
+    profiles = {"rest_profile": body.rest_profile, "channel_profile": body.channel_profile}
+    header = {"layout": body.kind, "step": body.step, "first": body.first}
+    stream = np.frombuffer(body.stream, dtype=np.uint8)
+    return header, {"stream": stream, **{key: value.astype(np.int8) for key, value in profiles.items()}}
+
+
+def _table(header: dict[str, Any], archive: Mapping[str, NDArray[Any]]) -> Table:
+    body: Rows | Packed
+    if header["layout"] == "rows":
+        body = Rows(archive["lengths"], archive["rows"])
+    else:
+        body = Packed(
+            archive["stream"].tobytes(),
+            sphere.degrees_orders(header["bands"], mirrored=header["mirrored"])[0],
+            header["first"],
+            archive["rest_profile"].astype(np.int64),
+            archive["channel_profile"].astype(np.int64),
+            header["step"],
         )
-    name = header["prefactor"]
+    factor: Factor | None = None
+    if header["prefactor"]:
+        factor = ClosedForm(header["prefactor"], tuple(header["prefactor_constants"]))
+    elif archive["denominator"].size:
+        factor = Reciprocal(archive["denominator"])
     return Table(
         axes=tuple(Axis(**axis) for axis in header["axes"]),
         channels=tuple(header["channels"]),
@@ -71,8 +100,7 @@ def read(path: str | Path | BinaryIO) -> Table:
         mirrored=header["mirrored"],
         basis=header["basis"],
         degrees=tuple(header["degrees"]),
-        lengths=lengths,
-        coefficients=coefficients,
-        prefactor=(name, tuple(header["prefactor_constants"])) if name else None,
+        body=body,
+        factor=factor,
         provenance=header["provenance"],
     )

@@ -54,7 +54,8 @@ BASES: dict[str, Basis] = {
     "chebyshev": Basis(
         _recurrence(lambda u, _, one, two: 2 * u * one - two),
         nested=True,
-        c_fill=_C_RECURRENCE.format(step="2 * u * t[i - 1] - t[i - 2]"),
+        # By products of lower ones: few steps wait for each other.
+        c_fill=_C_RECURRENCE.format(step="2 * t[i / 2] * t[i - i / 2] - t[i & 1]"),
     ),
     "legendre": Basis(
         _recurrence(lambda u, k, one, two: ((2 * k - 1) * u * one - (k - 1) * two) / k),

@@ -82,6 +82,6 @@ def _rows(material: Material, entry: Entry) -> Iterator[dict[str, object]]:
             "e_mean": entry.e_mean[c, channel, bands],
             "rel_l2": entry.rel_l2[channel, bands],
             **{f"{a.name}_at_worst": entry.at[c, channel, bands, i] for i, a in enumerate(material.axes)},
-            "coefficients": table.coefficients.size,
+            "coefficients": table.coefficients,
             "bytes": table.bytes,
         }

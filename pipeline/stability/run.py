@@ -35,7 +35,7 @@ _COUNT = 8
 
 def _sections(config: Config, folder: Path) -> Iterator[page.Section]:
     tables, published = exported(folder)
-    samples = sample(config, _BANDS)
+    samples = sample(config, _BANDS, like=tables[config.export.recommended])
     yield bases.section(samples)
     yield schemes.section(samples)
     yield contraction.section(samples, tables)

@@ -12,7 +12,12 @@ from numpy.typing import NDArray
 from pipeline import sphere
 from pipeline.fit.axes import Axis
 from pipeline.fit.bases import BASES
-from pipeline.light import PREFACTORS
+from pipeline.table import factor as factors
+from pipeline.table import packed, rows
+from pipeline.table.factor import Factor
+from pipeline.table.layout import Layout, layout
+from pipeline.table.packed import Packed
+from pipeline.table.rows import Rows
 
 Array = NDArray[np.float64]
 Floats = NDArray[np.floating]
@@ -26,11 +31,9 @@ SLACK = 1e-6
 class Table:
     """Polynomial coefficients of SH weights over named axes.
 
-    ``lengths`` ``(count, channels, rest)`` says how many coefficients of the first axis each product of the other
-    axes' powers has; ``coefficients`` holds them one after another in that order, so that a prefix serves fewer
-    bands. ``degrees`` are the largest ones, an axis; ``rest`` is the product of ``degree + 1`` over all but the first.
-    ``count`` is N(N+1)/2 where ``mirrored`` (m >= 0 alone), else N*N. ``prefactor`` is a name and its constants, or
-    None. ``provenance`` is JSON-like and says where the table comes from.
+    ``degrees`` are the largest ones, an axis; ``body`` holds the coefficients, laid out for speed (``Rows``) or for size
+    (``Packed``). Weights are those of order m >= 0 where ``mirrored``, else all N*N. ``factor`` multiplies the polynomials.
+    ``provenance`` is JSON-like and says where the table comes from.
     """
 
     axes: tuple[Axis, ...]
@@ -39,61 +42,82 @@ class Table:
     mirrored: bool
     basis: str
     degrees: tuple[int, ...]
-    lengths: NDArray[np.uint8]
-    coefficients: Floats
-    prefactor: tuple[str, tuple[float, ...]] | None = None
+    body: Rows | Packed
+    factor: Factor | None = None
     provenance: Mapping[str, object] = field(default_factory=dict)
 
     @property
     def dtype(self) -> np.dtype[np.floating]:
-        """Number type of the coefficients and of the arithmetic."""
-        return self.coefficients.dtype
+        """Number type of the arithmetic."""
+        return self.body.dtype
+
+    @property
+    def count(self) -> int:
+        """Number of stored weights a channel."""
+        return sphere.count(self.bands, mirrored=self.mirrored)
+
+    @property
+    def rest(self) -> int:
+        """Number of products of the other axes' powers."""
+        return int(np.prod([d + 1 for d in self.degrees[1:]], dtype=int))
+
+    @cached_property
+    def layout(self) -> Layout:
+        """The order of the outputs in a row."""
+        return layout(self.bands, len(self.channels), mirrored=self.mirrored)
+
+    @property
+    def coefficients(self) -> int:
+        """How many coefficients are kept, padding left out."""
+        if isinstance(self.body, Packed):
+            return int(np.count_nonzero(packed.unpack(self.body)))
+        return len(self.body.rows) * self.count * len(self.channels)
 
     @property
     def bytes(self) -> int:
-        """Size of every constant an evaluation reads: coefficients, lengths, axes, prefactor, numbers in the code."""
+        """Size of every constant an evaluation reads: coefficients, lengths, axes, factor, numbers in the code."""
         return self.bytes_at(self.bands)
 
     def bytes_at(self, bands: int) -> int:
-        """Size of what the first ``bands`` bands alone need: a table of fewer bands is a prefix of this one."""
-        count = sphere.count(bands, mirrored=self.mirrored)
-        numbers = int(self.lengths[:count].sum()) + sum(2 + len(axis.constants) for axis in self.axes)
-        if self.prefactor:
-            name, constants = self.prefactor
-            numbers += len(constants) + PREFACTORS[name].literals
-        lengths = 0 if self.is_rectangular else self.lengths[:count].nbytes
-        return lengths + numbers * self.dtype.itemsize
+        """Size of what the first ``bands`` bands alone read: a table of fewer bands is a prefix of this one."""
+        numbers = sum(2 + len(axis.constants) for axis in self.axes) + (self.factor.numbers if self.factor else 0)
+        body = self.body
+        if isinstance(body, Packed):
+            part = body if bands == self.bands else packed.pack(packed.unpack(body, bands), self._degrees(bands), body.step)
+            # Beside stream and profiles the step.
+            return part.bytes + self.dtype.itemsize * (numbers + 1)
+        read = len(body.rows) * self.layout.widths[bands - 1] + numbers
+        return read * self.dtype.itemsize + body.lengths.nbytes + len(self.layout.widths)
 
-    @property
-    def is_rectangular(self) -> bool:
-        """Whether every weight keeps every power, so that no lengths need to be stored."""
-        return bool(np.all(self.lengths == self.degrees[0] + 1))
+    def _degrees(self, bands: int) -> NDArray[np.int64]:
+        return sphere.degrees_orders(bands, mirrored=self.mirrored)[0]
 
     @cached_property
-    def _dense(self) -> Floats:
-        """Coefficients with dropped ones as zeros: ``(terms, count * channels)``, first axis slowest."""
-        first = self.degrees[0] + 1
-        kept = np.arange(first) < self.lengths[..., np.newaxis]
-        full = np.zeros(kept.shape, dtype=self.dtype)
-        full[kept] = self.coefficients
-        return np.ascontiguousarray(np.moveaxis(full, -1, 0).swapaxes(1, 3).reshape(first * self.lengths.shape[2], -1))
+    def _matrix(self) -> tuple[NDArray[np.int64], Floats]:
+        """Places of the terms among all products, and their coefficients ``(terms, channels * count)``."""
+        if isinstance(self.body, Packed):
+            numbers = packed.unpack(self.body)
+            values = numbers.astype(self.dtype) * self.dtype.type(self.body.step)
+            flat = values.transpose(2, 3, 1, 0).reshape(values.shape[2] * values.shape[3], -1)
+            # The last products of powers may be missing where nothing keeps them.
+            places = np.arange(values.shape[2])[:, np.newaxis] * self.rest + np.arange(values.shape[3])
+            return places.ravel(), np.ascontiguousarray(flat)
+        columns = self.layout.columns(self.bands, len(self.channels), mirrored=self.mirrored)
+        return rows.terms(self.body.lengths), np.ascontiguousarray(self.body.rows[:, columns.ravel()])
 
     def evaluate(self, values: Array) -> Floats:
         """Return the stored weights at parameter sets ``(n, axes)``, azimuth 0: ``(n, channels, count)``.
 
         Works in the table's dtype throughout. Values must lie in the axes' ranges.
         """
-        count, channels = self.lengths.shape[:2]
-        out = np.empty((len(values), channels, count), dtype=self.dtype)
+        places, matrix = self._matrix
+        out = np.empty((len(values), len(self.channels), self.count), dtype=self.dtype)
         for start in range(0, len(values), _SETS_AT_ONCE):
             part = values[start : start + _SETS_AT_ONCE].astype(self.dtype)
-            product = products(self.basis, self.axes, part, self.degrees)
-            sums = (product @ self._dense).reshape(len(part), channels, count)
-            if self.prefactor:
-                name, constants = self.prefactor
-                named = {axis.name: part[:, i] for i, axis in enumerate(self.axes)}
-                sums *= PREFACTORS[name].evaluate(named, constants)[:, np.newaxis, np.newaxis].astype(self.dtype)
-            out[start : start + _SETS_AT_ONCE] = sums
+            product = products(self.basis, self.axes, part, self.degrees)[:, places]
+            if self.factor:
+                product = product * factors.evaluate(self.factor, self.axes, part)[:, np.newaxis]
+            out[start : start + _SETS_AT_ONCE] = (product @ matrix).reshape(len(part), *out.shape[1:])
         return out
 
     def clamp(self, values: Array) -> tuple[Array, NDArray[np.bool_]]:
@@ -114,39 +138,51 @@ def products(basis: str, axes: Sequence[Axis], values: Floats, degrees: Sequence
     return out
 
 
-def pack(
-    dense: Array,
-    lengths: NDArray[np.integer],
-    *,
-    axes: tuple[Axis, ...],
-    channels: tuple[str, ...],
-    bands: int,
-    mirrored: bool,
-    basis: str,
-    dtype: str,
-    prefactor: tuple[str, tuple[float, ...]] | None,
-) -> Table:
-    """Make a table of coefficients ``(channels, count, d_1+1, .., d_D+1)``, keeping ``lengths`` of the first axis.
+@dataclass(frozen=True)
+class Frame:
+    """All of a table but its coefficients: what one fit's tables have in common."""
 
-    ``lengths`` has shape ``(channels, count, d_2+1, .., d_D+1)``; powers that no weight keeps are dropped.
+    axes: tuple[Axis, ...]
+    channels: tuple[str, ...]
+    mirrored: bool
+    basis: str
+    factor: Factor | None
+
+
+def fast(frame: Frame, dense: Array, lengths: NDArray[np.integer], bands: int, dtype: str) -> Table:
+    """Make a table laid out for speed of ``dense`` ``(channels, count, d_1+1, .., d_D+1)``.
+
+    ``lengths`` ``(d_2+1, .., d_D+1)`` says how many terms of the first axis to keep; powers that nothing keeps are dropped.
     """
-    used = [1 + int(np.max(np.nonzero(lengths)[axis], initial=0)) for axis in range(2, lengths.ndim)]
-    first = max(1, int(lengths.max()))
-    lengths = lengths[(slice(None), slice(None), *(slice(u) for u in used))]
-    dense = dense[(slice(None), slice(None), slice(first), *(slice(u) for u in used))]
-    last = np.moveaxis(dense, 2, -1).swapaxes(0, 1).reshape(lengths.shape[1], lengths.shape[0], -1, first)
-    counts = lengths.swapaxes(0, 1).reshape(last.shape[:3]).astype(np.uint8)
-    return Table(
-        axes=axes,
-        channels=channels,
-        bands=bands,
-        mirrored=mirrored,
-        basis=basis,
-        degrees=(first - 1, *(u - 1 for u in used)),
-        lengths=counts,
-        coefficients=last[np.arange(first) < counts[..., np.newaxis]].astype(dtype),
-        prefactor=prefactor,
-    )
+    degrees = rows.used_degrees(lengths.ravel(), [d - 1 for d in dense.shape[2:]])
+    cut = tuple(slice(d + 1) for d in degrees)
+    count = sphere.count(bands, mirrored=frame.mirrored)
+    part = dense[(slice(None), slice(count), *cut)]
+    kept = lengths[cut[1:]].ravel() if len(cut) > 1 else lengths.ravel()
+    placed = layout(bands, len(frame.channels), mirrored=frame.mirrored)
+    columns = placed.columns(bands, len(frame.channels), mirrored=frame.mirrored)
+    flat = part.reshape(*part.shape[:3], -1)
+    body = rows.arrange(flat, kept, columns, len(placed.places), dtype)
+    return Table(frame.axes, frame.channels, bands, frame.mirrored, frame.basis, degrees, body, frame.factor)
+
+
+def whole(frame: Frame, dense: Array, bands: int, dtype: str) -> Table:
+    """Make a table of every coefficient of ``dense``, laid out for speed."""
+    return fast(frame, dense, np.full(dense.shape[3:], dense.shape[2]), bands, dtype)
+
+
+def small(frame: Frame, numbers: NDArray[np.int64], step: float, degrees: Sequence[int], bands: int) -> Table:
+    """Make a packed table of whole ``numbers`` ``(count, channels, first, rest)`` of size ``step``.
+
+    ``degrees`` are those of the numbers, an axis; powers that nothing keeps are dropped.
+    """
+    lengths = packed.lengths_of(numbers).max(axis=(0, 1))
+    used = rows.used_degrees(lengths, degrees)
+    shape = tuple(d + 1 for d in degrees)
+    cut = numbers.reshape(*numbers.shape[:2], *shape)[(slice(None), slice(None), *(slice(d + 1) for d in used))]
+    flat = cut.reshape(*cut.shape[:3], -1)
+    body = packed.pack(flat, sphere.degrees_orders(bands, mirrored=frame.mirrored)[0], step)
+    return Table(frame.axes, frame.channels, bands, frame.mirrored, frame.basis, used, body, frame.factor)
 
 
 def full_weights(table: Table, stored: Floats, bands: int) -> Floats:

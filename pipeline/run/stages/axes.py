@@ -1,32 +1,75 @@
-"""A config's axes as the numerics know them, and their nodes."""
+"""A config's axes, nodes and factor as the numerics know them: given, or found by the search for variables."""
 
 from __future__ import annotations
+
+import json
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pipeline.config.schema import Config
 from pipeline.fit.axes import Axis
+from pipeline.run.plan import Inputs
+from pipeline.table.factor import ClosedForm, Factor, Reciprocal
+from pipeline.table.table import Frame
 
 Array = NDArray[np.float64]
 
+VARIABLES = "truth/variables"
 
-def axes_of(config: Config) -> tuple[Axis, ...]:
-    """Return the config's axes with their units, in its order."""
+
+def is_searched(config: Config) -> bool:
+    """Say whether any change of variable or the prefactor is to be found from samples."""
+    return config.fit.prefactor == "auto" or any(axis.map == "auto" for axis in config.axes)
+
+
+def variables(config: Config) -> tuple[str, ...]:
+    """Return the name of the search's step among a step's inputs, if there is one."""
+    return (VARIABLES,) if is_searched(config) else ()
+
+
+def given_axes(config: Config) -> tuple[Axis, ...]:
+    """Return the config's axes with their units; an automatic map stands as ``identity``."""
     return tuple(
-        Axis(axis.name, *axis.range, unit=config.source.domains[axis.name].unit, map=axis.map, point=axis.point)
+        Axis(
+            axis.name,
+            *axis.range,
+            unit=config.source.domains[axis.name].unit,
+            map="identity" if axis.map == "auto" else axis.map,
+            point=axis.point,
+        )
         for axis in config.axes
     )
 
 
-def fit_nodes(config: Config) -> list[Array]:
+def axes_of(config: Config, inputs: Inputs) -> tuple[Axis, ...]:
+    """Return the axes, with the maps that the search has found where there was one."""
+    if VARIABLES not in inputs:
+        return given_axes(config)
+    return tuple(Axis(**axis) for axis in json.loads(str(inputs[VARIABLES].attrs["axes"])))
+
+
+def fit_nodes(config: Config, axes: tuple[Axis, ...]) -> list[Array]:
     """Return the fit grid's nodes, an axis."""
-    return [axis.fit_nodes(s.nodes, s.spacing) for axis, s in zip(axes_of(config), config.axes, strict=True)]
+    return [axis.fit_nodes(s.nodes, s.spacing) for axis, s in zip(axes, config.axes, strict=True)]
 
 
-def verification_nodes(config: Config) -> list[Array]:
+def verification_nodes(config: Config, axes: tuple[Axis, ...]) -> list[Array]:
     """Return the verification grid's nodes, an axis: both ends, and no interior node of the fit grid."""
     return [
         axis.verification_nodes(s.verification, nodes)
-        for axis, s, nodes in zip(axes_of(config), config.axes, fit_nodes(config), strict=True)
+        for axis, s, nodes in zip(axes, config.axes, fit_nodes(config, axes), strict=True)
     ]
+
+
+def factor_of(config: Config, inputs: Inputs) -> Factor | None:
+    """Return what the fit divides by: the light's closed form, a polynomial's reciprocal found in samples, or nothing."""
+    if config.fit.prefactor == "auto":
+        return Reciprocal(inputs[VARIABLES]["denominator"])
+    hint = config.source.hints.prefactor
+    return ClosedForm(hint.name, hint.constants) if config.fit.prefactor and hint else None
+
+
+def frame_of(config: Config, inputs: Inputs, *, mirrored: bool) -> Frame:
+    """Return what all tables of a run's fit have in common."""
+    return Frame(axes_of(config, inputs), config.source.channels, mirrored, config.fit.basis, factor_of(config, inputs))

@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from functools import partial
 from typing import Any
 
-from pipeline.config.names import table_names, winner_names
+from pipeline.config.names import wanted
 from pipeline.config.schema import Config
 from pipeline.export import c_header, npz
 from pipeline.run.executors import Advance
@@ -42,8 +42,9 @@ def facts_of(config: Config, select: Dataset, name: str) -> dict[str, Any]:
         "path": place,
         "bands": table.bands,
         "dtype": str(table.dtype),
+        "layout": table.body.kind,
         "bytes": table.bytes,
-        "coefficients": int(table.coefficients.size),
+        "coefficients": table.coefficients,
         "e_mean": float(select[f"tables/{name}/e_mean"][0, :, -1].max()),
         "e_max": float(select[f"tables/{name}/e_max"][0, :, -1].max()),
         "l_min": str(select.attrs["conventions"]).split(",")[0],
@@ -52,21 +53,17 @@ def facts_of(config: Config, select: Dataset, name: str) -> dict[str, Any]:
 
 def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
     select = inputs["select"]
-    names = table_names(config)
-    budgets: Mapping[str, float | None] = {
-        name: budget
-        for winner in config.winners
-        for name, budget in zip(winner_names(winner), winner.budgets or (None,), strict=True)
-    }
+    asked = wanted(config)
     files: dict[str, bytes] = {}
     rows = []
-    for done, name in enumerate(names):
-        advance(done, len(names))
+    for done, table_wanted in enumerate(asked):
+        advance(done, len(asked))
+        name = table_wanted.name
         row = facts_of(config, select, name)
         rows.append(row)
         provenance = {
             "table": name,
-            "budget": budgets[name],
+            "budget": table_wanted.budget,
             "e_mean": row["e_mean"],
             "e_max": row["e_max"],
             "l_min": row["l_min"],

@@ -8,7 +8,6 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline import sphere
 from pipeline.config.schema import Config, ReferenceSection
 from pipeline.export import npz
 from pipeline.fit import solve
@@ -18,10 +17,11 @@ from pipeline.fit.errors import Reference, mean_luminance
 from pipeline.fit.sweep import sweep
 from pipeline.run.executors import Advance
 from pipeline.run.plan import Inputs, Step
-from pipeline.run.stages.axes import axes_of, fit_nodes
+from pipeline.run.stages.axes import fit_nodes, frame_of, variables
 from pipeline.store.dataset import Dataset, Variable
+from pipeline.table import factor as factors
 from pipeline.table.measure import measure
-from pipeline.table.table import Table, pack
+from pipeline.table.table import Frame, Table, whole
 
 Array = NDArray[np.float64]
 
@@ -40,7 +40,8 @@ def steps(config: Config) -> list[Step]:
         "fit": config.fit.model_dump(mode="json"),
         "light": {**asdict(config.light), "version": config.light.version},
     }
-    return [Step("fit", "", _CODE, ("truth/grid", *truth_inputs(config)), parameters, partial(_make, config))]
+    needed = ("truth/grid", *variables(config), *truth_inputs(config))
+    return [Step("fit", "", _CODE, needed, parameters, partial(_make, config))]
 
 
 def reference_of(config: Config, inputs: Inputs) -> Reference:
@@ -63,29 +64,15 @@ def reference_of(config: Config, inputs: Inputs) -> Reference:
     )
 
 
-def prefactor_of(config: Config) -> tuple[str, tuple[float, ...]] | None:
-    """Return the name and constants of the prefactor that the config's fit divides by, or None."""
-    hint = config.source.hints.prefactor
-    return (hint.name, hint.constants) if config.fit.prefactor and hint else None
-
-
-def prefactor_at(config: Config, parameters: Array) -> Array:
-    """Return the prefactor at parameter sets ``(n, axes)``, shape ``(n,)``; ones where there is none."""
-    hint = config.source.hints.prefactor
-    if not (config.fit.prefactor and hint):
-        return np.ones(len(parameters))
-    named = {axis.name: parameters[:, i] for i, axis in enumerate(config.axes)}
-    return np.asarray(hint.evaluate(named, hint.constants), dtype=np.float64)
-
-
 def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
     grid = inputs["truth/grid"]
     samples = grid["weights"]
     shape, outputs = samples.shape[:-2], samples.shape[-2:]
-    axes, nodes = axes_of(config), fit_nodes(config)
     mirrored = bool(grid.attrs["mirrored"])
+    frame = frame_of(config, inputs, mirrored=mirrored)
+    axes, nodes = frame.axes, fit_nodes(config, frame.axes)
     flat = np.stack([c.ravel() for c in np.meshgrid(*nodes, indexing="ij")], axis=-1)
-    scaled = samples / prefactor_at(config, flat).reshape(*shape, 1, 1)
+    scaled = samples / factors.evaluate(frame.factor, axes, flat).reshape(*shape, 1, 1)
     basis = BASES[config.fit.basis]
     matrices = [basis.vander(a.scaled(n), s.degrees[1]) for a, n, s in zip(axes, nodes, config.axes, strict=True)]
     flattened = scaled.reshape(*shape, -1)
@@ -98,24 +85,24 @@ def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
     reference = reference_of(config, inputs)
     total = 1 + len(config.fit.references)
     advance(0, total)
-    variables = _swept(config, coefficients, axes, reference)
+    found = _swept(config, frame, coefficients, reference)
     powers = tuple(f"power_{axis.name}" for axis in axes)
-    variables["coefficients"] = Variable(("channel", "weight", *powers), coefficients)
-    variables["condition"] = Variable((), np.array(solve.condition(matrices)))
+    found["coefficients"] = Variable(("channel", "weight", *powers), coefficients)
+    found["condition"] = Variable((), np.array(solve.condition(matrices)))
     for done, section in enumerate(config.fit.references, start=1):
         advance(done, total)
-        variables |= _referenced(config, section, samples, axes, nodes, mirrored, reference)
-    return Dataset(variables, {"mirrored": mirrored, "conventions": ",".join(reference.l_min)})
+        found |= _referenced(config, section, samples, axes, nodes, mirrored, reference)
+    return Dataset(found, {"mirrored": mirrored, "conventions": ",".join(reference.l_min)})
 
 
-def _swept(config: Config, coefficients: Array, axes: tuple[Axis, ...], reference: Reference) -> dict[str, Variable]:
+def _swept(config: Config, frame: Frame, coefficients: Array, reference: Reference) -> dict[str, Variable]:
     vander = BASES[config.fit.basis].vander
     vanders = [
         vander(axis.scaled(reference.parameters[:, i]), s.degrees[1])
-        for i, (axis, s) in enumerate(zip(axes, config.axes, strict=True))
+        for i, (axis, s) in enumerate(zip(frame.axes, config.axes, strict=True))
     ]
     degrees = [range(s.degrees[0], s.degrees[1] + 1) for s in config.axes]
-    factor = prefactor_at(config, reference.parameters)
+    factor = np.asarray(factors.evaluate(frame.factor, frame.axes, reference.parameters), dtype=np.float64)
     worst = sweep(coefficients, vanders, factor, reference, degrees, config.truth.bands)
     dims = ("combination", "channel", "bands")
     return {
@@ -161,31 +148,5 @@ def fit_reference(
     matrices = [vander(a.scaled(n), d) for a, n, d in zip(plain, nodes, section.degrees, strict=True)]
     solution = solve.fit_full(samples.reshape(-1, samples.shape[-2] * samples.shape[-1]), matrices, section.solver)
     dense = solution.reshape(*samples.shape[-2:], *solution.shape[1:])
-    table = whole_table(config, dense, plain, section.basis, section.dtype, None, config.truth.bands, mirrored)
-    return table, solve.condition(matrices)
-
-
-def whole_table(
-    config: Config,
-    dense: Array,
-    axes: tuple[Axis, ...],
-    basis: str,
-    dtype: str,
-    prefactor: tuple[str, tuple[float, ...]] | None,
-    bands: int,
-    mirrored: bool,
-) -> Table:
-    """Make a table of every coefficient of ``dense`` ``(channels, count, d_1+1, ..)`` for the first ``bands`` bands."""
-    dense = dense[:, : sphere.count(bands, mirrored=mirrored)]
-    lengths = np.full((*dense.shape[:2], *dense.shape[3:]), dense.shape[2])
-    return pack(
-        dense,
-        lengths,
-        axes=axes,
-        channels=config.source.channels,
-        bands=bands,
-        mirrored=mirrored,
-        basis=basis,
-        dtype=dtype,
-        prefactor=prefactor,
-    )
+    frame = Frame(plain, config.source.channels, mirrored, section.basis, None)
+    return whole(frame, dense, config.truth.bands, section.dtype), solve.condition(matrices)

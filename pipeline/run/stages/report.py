@@ -15,7 +15,7 @@ from pipeline.report.material import Entry, Material, Sweep
 from pipeline.run.executors import Advance
 from pipeline.run.plan import Inputs, Step
 from pipeline.run.provenance import environment, settings
-from pipeline.run.stages.axes import axes_of
+from pipeline.run.stages.axes import axes_of, variables
 from pipeline.run.stages.files import to_dataset
 from pipeline.store.dataset import Dataset
 from pipeline.truth import sampling
@@ -29,7 +29,7 @@ _INPUTS = ("truth/rule", "truth/verification", "fit", "select")
 def steps(config: Config) -> list[Step]:
     """Return the report's step."""
     parameters = {"config": settings(config), "environment": environment()}
-    return [Step("report", "", _CODE, _INPUTS, parameters, partial(_make, config))]
+    return [Step("report", "", _CODE, (*_INPUTS, *variables(config)), parameters, partial(_make, config))]
 
 
 def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
@@ -66,7 +66,7 @@ def _material(config: Config, inputs: Inputs) -> Material:
         name=config.name,
         basis=config.fit.basis,
         light=config.source,
-        axes=axes_of(config),
+        axes=axes_of(config, inputs),
         conventions=tuple(str(select.attrs["conventions"]).split(",")),
         winners=tuple(_entry(select, f"tables/{name}", name) for name in table_names(config)),
         references=tuple(_entry(fit, f"references/{r.name}", r.name) for r in config.fit.references),

@@ -1,95 +1,199 @@
-"""Select: the table with the fewest bytes under each error budget, measured as shipped."""
+"""Select: under each error budget the fastest or the smallest table, measured as shipped."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pipeline import sphere
-from pipeline.config.names import winner_names
-from pipeline.config.schema import Config, WinnerSection
+from pipeline.config.names import Wanted, wanted
+from pipeline.config.schema import Config
 from pipeline.export import npz
-from pipeline.fit.errors import Reference
-from pipeline.fit.staircase import Lengths, shortest
+from pipeline.fit.errors import Reference, mean_luminance
+from pipeline.fit.fewest import fewest
+from pipeline.fit.smallest import smallest
+from pipeline.fit.weighted import Sampled
 from pipeline.run.executors import Advance
 from pipeline.run.plan import Inputs, Step
-from pipeline.run.stages.axes import axes_of
-from pipeline.run.stages.fit import prefactor_of, reference_of, truth_inputs, whole_table
+from pipeline.run.stages.axes import fit_nodes, frame_of, variables
+from pipeline.run.stages.fit import reference_of, truth_inputs
 from pipeline.store.dataset import Dataset, Variable
+from pipeline.table import factor as factors
+from pipeline.table import packed
+from pipeline.table import table as tables
 from pipeline.table.measure import headline, measure
-from pipeline.table.table import Table, pack
+from pipeline.table.table import Frame, Table
 
 Array = NDArray[np.float64]
 
 _CODE = ("light", "sphere", "fit", "table", "export/npz.py", "config/names.py", "run/stages/select.py", "run/stages/fit.py")
+# How often a table that float32 carries over its budget is sought again with a smaller one, and how much smaller.
+_RETRIES = 4
+_SHRINK = 0.98
+# A fast table may err this much more than the packed one of the same budget.
+_BESIDE_PACKED = 1.01
 
 
 class BudgetError(RuntimeError):
     """No table of the config's degrees meets a budget."""
 
 
+@dataclass(frozen=True)
+class _Material:
+    """What every search needs: the frame, the fit grid's weights, L_min and nodes, and what errors are measured on."""
+
+    frame: Frame
+    sets: Array
+    weights: Array
+    least: Array
+    shape: tuple[int, ...]
+    degrees: tuple[int, ...]
+    reference: Reference
+
+
 def steps(config: Config) -> list[Step]:
     """Return the selection's step."""
     parameters = {"winners": [winner.model_dump(mode="json") for winner in config.winners]}
-    return [Step("select", "", _CODE, ("fit", *truth_inputs(config)), parameters, partial(_make, config))]
+    needed = ("fit", "truth/grid", *variables(config), *truth_inputs(config))
+    return [Step("select", "", _CODE, needed, parameters, partial(_make, config))]
 
 
 def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
-    fit = inputs["fit"]
+    material = _gather(config, inputs)
+    reference = material.reference
+    asked = wanted(config)
+    made: dict[str, Table] = {}
+    fronts: dict[tuple[int, str], list[tuple[float, float]]] = {}
+    # A packed table comes before the fast one of its budget, whose error is bounded by its.
+    for done, table in enumerate(sorted(asked, key=lambda w: w.layout != "packed")):
+        advance(done, len(asked))
+        if table.budget is None:
+            made[table.name] = _given(table, material, inputs["fit"])
+            continue
+        budget = table.budget
+        beside = made.get(f"{table.name}-packed")
+        if beside is not None:
+            budget = min(budget, _BESIDE_PACKED * headline(beside, reference))
+        made[table.name], tried = _cheapest(table, budget, material)
+        fronts.setdefault((table.winner.bands, table.layout), []).extend(tried)
+    found: dict[str, Variable] = {"parameters": Variable(("set", "axis"), reference.parameters)}
+    for table in asked:
+        found |= _measured(table.name, made[table.name], reference)
+    for (bands, layout), points in sorted(fronts.items()):
+        found[f"fronts/{bands}-{layout}"] = Variable(("point", "bytes_error"), np.array(_front(points)))
+    return Dataset(found, {"conventions": ",".join(reference.l_min)})
+
+
+def _measured(name: str, table: Table, reference: Reference) -> dict[str, Variable]:
+    measured = measure(table, reference)
+    dims = ("l_min", "channel", "bands")
+    return {
+        f"tables/{name}/npz": Variable(("byte",), np.frombuffer(npz.write(table), dtype=np.uint8)),
+        f"tables/{name}/e_max": Variable(dims, measured.e_max),
+        f"tables/{name}/e_mean": Variable(dims, measured.e_mean),
+        f"tables/{name}/at": Variable((*dims, "axis"), reference.parameters[measured.at]),
+        f"tables/{name}/rel_l2": Variable(dims[1:], measured.rel_l2),
+        f"tables/{name}/per_set": Variable(("set",), measured.per_set),
+    }
+
+
+def _gather(config: Config, inputs: Inputs) -> _Material:
+    grid = inputs["truth/grid"]
+    frame = frame_of(config, inputs, mirrored=bool(grid.attrs["mirrored"]))
+    nodes = fit_nodes(config, frame.axes)
+    shape = tuple(n.size for n in nodes)
     reference = reference_of(config, inputs)
-    wanted = [
-        (name, winner, budget)
-        for winner in config.winners
-        for name, budget in zip(winner_names(winner), winner.budgets or (None,), strict=True)
-    ]
-    variables: dict[str, Variable] = {"parameters": Variable(("set", "axis"), reference.parameters)}
-    for done, (name, winner, budget) in enumerate(wanted):
-        advance(done, len(wanted))
-        table = _cheapest(config, winner, budget, fit, reference) if budget else _given(config, winner, fit)
-        measured = measure(table, reference)
-        dims = ("l_min", "channel", "bands")
-        variables |= {
-            f"tables/{name}/npz": Variable(("byte",), np.frombuffer(npz.write(table), dtype=np.uint8)),
-            f"tables/{name}/e_max": Variable(dims, measured.e_max),
-            f"tables/{name}/e_mean": Variable(dims, measured.e_mean),
-            f"tables/{name}/at": Variable((*dims, "axis"), reference.parameters[measured.at]),
-            f"tables/{name}/rel_l2": Variable(dims[1:], measured.rel_l2),
-            f"tables/{name}/per_set": Variable(("set",), measured.per_set),
-        }
-    return Dataset(variables, {"conventions": ",".join(reference.l_min)})
+    convention = next(iter(reference.l_min))
+    weights = grid["weights"].reshape(-1, *grid["weights"].shape[-2:])
+    least = (
+        grid["least_luminance"].ravel()
+        if convention == "per-set"
+        else mean_luminance(weights[:, :, 0], config.source.luminance_row)
+    )
+    sets = np.stack([c.ravel() for c in np.meshgrid(*nodes, indexing="ij")], axis=-1)
+    degrees = tuple(axis.degrees[1] for axis in config.axes)
+    return _Material(frame, sets, weights, least, shape, degrees, reference)
 
 
-def _given(config: Config, winner: WinnerSection, fit: Dataset) -> Table:
-    cut = fit["coefficients"][(slice(None), slice(None), *(slice(d + 1) for d in winner.degrees or ()))]
-    mirrored = bool(fit.attrs["mirrored"])
-    basis, prefactor = config.fit.basis, prefactor_of(config)
-    return whole_table(config, cut, axes_of(config), basis, winner.dtype, prefactor, winner.bands, mirrored)
+def _given(table: Wanted, material: _Material, fit: Dataset) -> Table:
+    degrees = table.winner.degrees or ()
+    cut = fit["coefficients"][(slice(None), slice(None), *(slice(d + 1) for d in degrees))]
+    return tables.whole(material.frame, cut, table.winner.bands, table.winner.dtype)
 
 
-def _cheapest(config: Config, winner: WinnerSection, budget: float, fit: Dataset, reference: Reference) -> Table:
-    mirrored = bool(fit.attrs["mirrored"])
-    dense = fit["coefficients"][:, : sphere.count(winner.bands, mirrored=mirrored)]
+def _cheapest(wanted_: Wanted, budget: float, material: _Material) -> tuple[Table, list[tuple[float, float]]]:
+    """Search with a budget that shrinks until the table as shipped meets the one asked for; also return all tried."""
+    aim, reached, front = budget, np.inf, []
+    for _ in range(_RETRIES):
+        search = _packed if wanted_.layout == "packed" else _fast
+        table, tried = search(wanted_, aim, material)
+        front += tried
+        if table is None:
+            reached = min((error for _, error in tried), default=np.inf)
+            break
+        reached = headline(table, material.reference)
+        if reached <= budget:
+            return table, front
+        aim *= min(_SHRINK, budget / reached)
+    raise BudgetError(
+        f"No table of {wanted_.winner.bands} bands meets winners.budgets = {budget:g}: {wanted_.name} reaches "
+        f"{reached:.3g} with all degrees. Raise the budget, or the largest degrees of the axes."
+    )
 
-    def table(lengths: Lengths) -> Table:
-        return pack(
-            dense,
-            lengths,
-            axes=axes_of(config),
-            channels=config.source.channels,
-            bands=winner.bands,
-            mirrored=mirrored,
-            basis=config.fit.basis,
-            dtype=winner.dtype,
-            prefactor=prefactor_of(config),
-        )
 
-    lengths = shortest(dense, budget, lambda lengths: headline(table(lengths), reference))
-    if lengths is None:
-        reached = headline(table(np.full((*dense.shape[:2], *dense.shape[3:]), dense.shape[2])), reference)
-        raise BudgetError(
-            f"No table of {winner.bands} bands meets winners.budgets = {budget:g}: all coefficients reach {reached:.3g}. "
-            "Raise the budget, or the largest degrees of the axes."
-        )
-    return table(lengths)
+def _sampled(material: _Material, sets: Array, weights: Array, least: Array, bands: int) -> Sampled:
+    frame = material.frame
+    count = sphere.count(bands, mirrored=frame.mirrored)
+    scale = np.asarray(factors.evaluate(frame.factor, frame.axes, sets), dtype=np.float64) / least
+    basis = np.asarray(tables.products(frame.basis, frame.axes, sets, material.degrees), dtype=np.float64)
+    return Sampled(basis * scale[:, np.newaxis], weights[..., :count] / least[:, np.newaxis, np.newaxis])
+
+
+def _both(material: _Material, bands: int) -> tuple[Sampled, Sampled]:
+    """Return the fit grid and the verification sets in units of L_min."""
+    reference = material.reference
+    l_min = next(iter(reference.l_min.values()))
+    grid = _sampled(material, material.sets, material.weights, material.least, bands)
+    return grid, _sampled(material, reference.parameters, reference.weights, l_min, bands)
+
+
+def _fast(wanted_: Wanted, aim: float, material: _Material) -> tuple[Table | None, list[tuple[float, float]]]:
+    bands, dtype, first = wanted_.winner.bands, wanted_.winner.dtype, material.degrees[0] + 1
+    best, tried = fewest(*_both(material, bands), material.shape, first, aim)
+    rest = tuple(d + 1 for d in material.degrees[1:])
+    empty = np.zeros((len(material.frame.channels), sphere.count(bands, mirrored=material.frame.mirrored), first, *rest))
+
+    def table(lengths: NDArray[np.int64], dense: Array) -> Table:
+        shaped = dense.reshape(empty.shape)
+        return tables.fast(material.frame, shaped, lengths.reshape(rest), bands, dtype)
+
+    points = [(float(table(k.lengths, empty).bytes), k.error) for k in tried]
+    return (table(best.lengths, best.dense) if best else None), points
+
+
+def _packed(wanted_: Wanted, aim: float, material: _Material) -> tuple[Table | None, list[tuple[float, float]]]:
+    bands, first = wanted_.winner.bands, material.degrees[0] + 1
+    degrees = sphere.degrees_orders(bands, mirrored=material.frame.mirrored)[0]
+
+    def cost(numbers: NDArray[np.int64]) -> int:
+        return packed.cost(numbers.swapaxes(0, 1), degrees)
+
+    best, tried = smallest(*_both(material, bands), material.shape, first, aim, cost)
+    if best is None:
+        return None, [(float(r.cost), r.error) for r in tried]
+    table = tables.small(material.frame, best.numbers.swapaxes(0, 1), best.step, material.degrees, bands)
+    fixed = table.bytes - best.cost
+    return table, [(float(r.cost + fixed), r.error) for r in tried]
+
+
+def _front(points: Sequence[tuple[float, float]]) -> list[tuple[float, float]]:
+    """Return the points that no other beats in both bytes and error, by rising bytes."""
+    kept: list[tuple[float, float]] = []
+    for size, error in sorted(points):
+        if not kept or error < kept[-1][1]:
+            kept.append((size, error))
+    return kept

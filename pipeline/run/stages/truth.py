@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+from collections.abc import Callable
 from dataclasses import asdict
 from functools import partial
 
@@ -10,9 +12,18 @@ from numpy.typing import NDArray
 
 from pipeline import sphere
 from pipeline.config.schema import Config
+from pipeline.fit.axes import Axis
+from pipeline.fit.search import search
 from pipeline.run.executors import Advance, map_tasks
 from pipeline.run.plan import Inputs, Step
-from pipeline.run.stages.axes import axes_of, fit_nodes, verification_nodes
+from pipeline.run.stages.axes import (
+    axes_of,
+    fit_nodes,
+    given_axes,
+    is_searched,
+    variables,
+    verification_nodes,
+)
 from pipeline.store.dataset import Dataset, Variable
 from pipeline.truth import converge, sampling
 from pipeline.truth import sets as parameter_sets
@@ -20,8 +31,10 @@ from pipeline.truth.rules import suited
 from pipeline.truth.samples import Samples
 
 Array = NDArray[np.float64]
+NodesOf = Callable[[Config, tuple[Axis, ...]], list[Array]]
 
 _CODE = ("light", "sphere", "truth", "fit/axes.py", "fit/maps.py", "run/stages/truth.py", "run/stages/axes.py")
+_SEARCH_CODE = (*_CODE, "fit/search.py", "fit/bases.py", "fit/solve.py")
 _SETS_PER_TASK = 64
 
 
@@ -38,16 +51,21 @@ def steps(config: Config) -> list[Step]:
     }
     spacing = {axis.name: (axis.nodes, axis.spacing, axis.map, axis.point) for axis in config.axes}
     rule = Step("truth", "rule", _CODE, (), common, partial(_make_rule, config))
-    found = [
-        rule,
-        Step("truth", "grid", _CODE, (rule.name,), spacing, partial(_make_grid, config, fit_nodes(config), "grid")),
+    needed = (rule.name, *variables(config))
+    found = [rule]
+    if is_searched(config):
+        searched = {"nodes": spacing, "prefactor": config.fit.prefactor, "budget": _finest_budget(config)}
+        found.append(Step("truth", "probe", _CODE, (rule.name,), spacing, partial(_make_grid, config, fit_nodes, "probe")))
+        found.append(Step("truth", "variables", _SEARCH_CODE, ("truth/probe",), searched, partial(_make_variables, config)))
+    found += [
+        Step("truth", "grid", _CODE, needed, spacing, partial(_make_grid, config, fit_nodes, "grid")),
         Step(
             "truth",
             "verification",
             _CODE,
-            (rule.name,),
+            needed,
             {"fit": spacing, "count": {axis.name: axis.verification for axis in config.axes}},
-            partial(_make_grid, config, verification_nodes(config), "verification"),
+            partial(_make_grid, config, verification_nodes, "verification"),
         ),
     ]
     if config.truth.random:
@@ -69,13 +87,39 @@ def _make_rule(config: Config, _: Inputs, __: Advance) -> Dataset:
     return Dataset({}, {"rule": rule, "nodes": nodes, "estimate": estimate, "mirrored": mirrored})
 
 
-def _make_grid(config: Config, nodes: list[Array], name: str, inputs: Inputs, advance: Advance) -> Dataset:
+def _finest_budget(config: Config) -> float:
+    """Return the error that the search for variables aims at: the middle one of all budgets asked for."""
+    budgets = sorted(budget for winner in config.winners for budget in winner.budgets)
+    return budgets[len(budgets) // 2] if budgets else 1e-3
+
+
+def _make_variables(config: Config, inputs: Inputs, _: Advance) -> Dataset:
+    """Find changes of variable and the prefactor from the probe, a grid in the parameters themselves."""
+    probe, axes = inputs["truth/probe"], given_axes(config)
+    free = [axis.map == "auto" for axis in config.axes]
+    found = search(
+        axes,
+        [probe[axis.name] for axis in axes],
+        probe["weights"],
+        probe["least_luminance"],
+        _finest_budget(config),
+        free=free,
+        factor=config.fit.prefactor == "auto",
+    )
+    powers = tuple(f"power_{axis.name}" for axis in axes)
+    made = json.dumps([asdict(axis) for axis in found.axes])
+    return Dataset({"denominator": Variable(powers, found.denominator)}, {"axes": made})
+
+
+def _make_grid(config: Config, nodes_of: NodesOf, name: str, inputs: Inputs, advance: Advance) -> Dataset:
+    axes = axes_of(config, inputs)
+    nodes = nodes_of(config, axes)
     shape = tuple(n.size for n in nodes)
     samples, rule = _sample(config, parameter_sets.grid(nodes), inputs, advance)
     dims = tuple(axis.name for axis in config.axes)
     coordinates = {
         axis.name: Variable((axis.name,), values, {"units": axis.unit, "long_name": axis.name.replace("_", " ")})
-        for axis, values in zip(axes_of(config), nodes, strict=True)
+        for axis, values in zip(axes, nodes, strict=True)
     }
     return _dataset(config, coordinates, dims, shape, samples, rule, name)
 
@@ -84,7 +128,7 @@ def _make_random(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
     sets = parameter_sets.random([axis.range for axis in config.axes], config.truth.random, config.truth.seed)
     samples, rule = _sample(config, sets, inputs, advance)
     coordinates = {"set": Variable(("set",), np.arange(len(sets)))} | {
-        axis.name: Variable(("set",), sets[:, i], {"units": axis.unit}) for i, axis in enumerate(axes_of(config))
+        axis.name: Variable(("set",), sets[:, i], {"units": axis.unit}) for i, axis in enumerate(given_axes(config))
     }
     return _dataset(config, coordinates, ("set",), (len(sets),), samples, rule, "random")
 

@@ -1,0 +1,41 @@
+"""The 2008 scheme as written, for comparison: every weight a polynomial of monomials, in double precision, then eq. 4."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
+from numpy.typing import NDArray
+
+from pipeline.sphere import count
+
+Array = NDArray[np.float64]
+
+
+def write(coefficients: Array, names: Sequence[str], channels: Sequence[str], prefix: str) -> str:
+    """Return the header of ``coefficients`` ``(channels, N*N, d_1+1, .., d_D+1)`` over raw monomials of axes ``names``."""
+    bands = round(coefficients.shape[1] ** 0.5)
+    if count(bands) != coefficients.shape[1]:
+        raise ValueError(f"{coefficients.shape[1]} weights are not a square number N*N of bands.")
+    sizes = coefficients.shape[2:]
+    return _TEMPLATES.get_template("paper_literal.h.j2").render(
+        p=prefix,
+        P=prefix.upper(),
+        bands=bands,
+        channels=channels,
+        names=names,
+        sizes=sizes,
+        terms=int(np.prod(sizes)),
+        numbers=[f"{value:.17e}" for value in coefficients.ravel().tolist()],
+        parameters=", ".join(f"float {name}" for name in (names[0], "sun_azimuth", *names[1:])),
+    )
+
+
+_TEMPLATES = Environment(
+    loader=PackageLoader("pipeline.export"),
+    undefined=StrictUndefined,
+    keep_trailing_newline=True,
+    # C is no markup.
+    autoescape=select_autoescape(default=False),
+)

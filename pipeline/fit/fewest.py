@@ -1,0 +1,136 @@
+"""The fewest terms that all outputs need together under an error budget: what a table laid out for speed keeps."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pipeline.fit.weighted import Sampled, even, metric, sharpen
+
+Array = NDArray[np.float64]
+Index = NDArray[np.int64]
+
+_ROUNDS = 8
+# Terms are summed four at a time.
+_GROUP = 4
+
+
+@dataclass(frozen=True)
+class Kept:
+    """``lengths`` ``(rest,)`` of the first axis, ``dense`` ``(channels, count, first, rest)`` and its largest E_mean."""
+
+    lengths: Index
+    dense: Array
+    error: float
+
+
+class _Search:
+    """Fits of chosen terms, with the importance of sets sharpened for the last terms fitted."""
+
+    def __init__(self, grid: Sampled, checked: Sampled, shape: Sequence[int], first: int) -> None:
+        self.grid, self.checked, self.shape, self.first = grid, checked, shape, first
+        self.importance = even(grid)
+        self.normal = metric(grid, self.importance)
+
+    def fit(self, lengths: Index) -> Kept:
+        """Fit the terms of ``lengths`` with the importance as it stands."""
+        rest = lengths.size
+        kept = np.flatnonzero((np.arange(self.first)[:, np.newaxis] < lengths).ravel())
+        found = self.normal.best_of(kept)
+        error = float(self.checked.errors(found).max())
+        return Kept(lengths, found.reshape(*found.shape[:2], self.first, rest), error)
+
+    def sharpened(self, lengths: Index, budget: float) -> Kept:
+        """Fit with the importance moved to the worst sets until the budget is met or no round helps; return the best."""
+        best = self.fit(lengths)
+        importance, normal = self.importance, self.normal
+        for _ in range(_ROUNDS):
+            if best.error <= budget:
+                break
+            made = self.fit(lengths)
+            errors = self.grid.errors(made.dense.reshape(*made.dense.shape[:2], -1))
+            self.importance = sharpen(self.importance, errors, self.shape)
+            self.normal = metric(self.grid, self.importance)
+            fresh = self.fit(lengths)
+            best = min(best, fresh, key=lambda k: k.error)
+        if best.error > budget:
+            self.importance, self.normal = importance, normal
+        return best
+
+
+def fewest(
+    grid: Sampled, checked: Sampled, shape: Sequence[int], first: int, budget: float
+) -> tuple[Kept | None, list[Kept]]:
+    """Return the fewest terms found whose largest error over ``checked`` stays within ``budget``, and all tried.
+
+    ``grid``, of ``shape``, is what is fitted; ``first`` is the size of the first axis' basis. Terms are ranked by the
+    largest coefficients that drop with them; a bisection finds how many are needed, corners that the budget does not
+    need are then taken away one by one, and the worst sets' importance is sharpened where that saves another. What is
+    left is filled up to a multiple of four terms. The first result is None where all terms together exceed the budget.
+    """
+    search = _Search(grid, checked, shape, first)
+    ranked = _ranking(search.normal.best.reshape(*search.normal.best.shape[:2], first, -1))
+    tried: list[Kept] = []
+
+    def attempt(lengths: Index) -> Kept:
+        tried.append(search.fit(lengths))
+        return tried[-1]
+
+    low, high = 1, len(ranked)
+    if attempt(ranked[-1]).error > budget:
+        return None, tried
+    while low < high:
+        middle = (low + high) // 2
+        if attempt(ranked[middle - 1]).error <= budget:
+            high = middle
+        else:
+            low = middle + 1
+    best = search.fit(ranked[low - 1])
+    while True:
+        smaller = min((attempt(lengths) for lengths in _without_a_corner(best.lengths)), key=lambda k: k.error, default=None)
+        if smaller is not None and smaller.error > budget:
+            smaller = search.sharpened(smaller.lengths, budget)
+        if smaller is None or smaller.error > budget:
+            break
+        best = smaller
+    while best.lengths.sum() % _GROUP:
+        options = [attempt(lengths) for lengths in _with_a_corner(best.lengths, first)]
+        if not options:
+            break
+        best = min(options, key=lambda k: k.error)
+    if best.error > budget:
+        best = search.sharpened(best.lengths, budget)
+    return best, tried
+
+
+def _ranking(dense: Array) -> list[Index]:
+    """Return lengths ``(rest,)`` of 1, 2, .. terms, each with the one more whose tail holds the largest coefficients."""
+    energy = (dense**2).sum(axis=1).max(axis=0)
+    first, rest = energy.shape
+    tails = np.maximum.accumulate(energy[::-1], axis=0)[::-1]
+    lengths = np.zeros(rest, dtype=np.int64)
+    found = []
+    for _ in range(first * rest):
+        worth = [tails[n, r] if n < first else -1.0 for r, n in enumerate(lengths)]
+        lengths = lengths.copy()
+        lengths[int(np.argmax(worth))] += 1
+        found.append(lengths)
+    return found
+
+
+def _without_a_corner(lengths: Index) -> Iterator[Index]:
+    if lengths.sum() > 1:
+        for r in np.flatnonzero(lengths):
+            out = lengths.copy()
+            out[r] -= 1
+            yield out
+
+
+def _with_a_corner(lengths: Index, first: int) -> Iterator[Index]:
+    for r in np.flatnonzero(lengths < first):
+        out = lengths.copy()
+        out[r] += 1
+        yield out

@@ -1,0 +1,90 @@
+"""Least squares in the metric that a table is judged by: every set's error over its least radiance."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import linalg
+
+Array = NDArray[np.float64]
+Index = NDArray[np.int64]
+
+# Far below any rounding step, far above what Cholesky needs.
+_RIDGE = 1e-12
+
+
+@dataclass(frozen=True)
+class Sampled:
+    """``n`` parameter sets as a table sees them, everything in units of each set's L_min.
+
+    ``basis`` ``(n, terms)`` holds all products of basis functions times the table's factor, ``truth`` ``(n, channels,
+    count)`` the weights.
+    """
+
+    basis: Array
+    truth: Array
+
+    def errors(self, coefficients: Array) -> Array:
+        """Return E_mean of every set and channel, ``(n, channels)``, of coefficients ``(channels, count, terms)``."""
+        channels, count = coefficients.shape[:2]
+        made = self.basis @ coefficients.reshape(channels * count, -1).T
+        residual = made.reshape(-1, channels, count) - self.truth
+        return np.asarray(np.sqrt(np.einsum("ncw,ncw->nc", residual, residual)))
+
+
+@dataclass(frozen=True)
+class Metric:
+    """Normal equations, a channel each: ``gram`` ``(channels, terms, terms)``, ``best`` ``(channels, count, terms)``.
+
+    ``best`` minimises the weighted squared error without any limit on the coefficients. The error of other
+    coefficients exceeds the least one by their distance to ``best`` in ``gram``.
+    """
+
+    gram: Array
+    best: Array
+
+    def best_of(self, kept: Index) -> Array:
+        """Return the best coefficients of the terms ``kept`` alone, zeros elsewhere: ``(channels, count, terms)``."""
+        out = np.zeros_like(self.best)
+        for channel, gram in enumerate(self.gram):
+            right = gram[kept] @ self.best[channel].T
+            out[channel][:, kept] = linalg.solve(gram[np.ix_(kept, kept)], right, assume_a="pos").T
+        return out
+
+
+def metric(sampled: Sampled, importance: Array) -> Metric:
+    """Build the metric of ``sum importance * error**2``; ``importance`` ``(n, channels)`` sums to 1."""
+    terms = sampled.basis.shape[1]
+    grams = np.empty((importance.shape[1], terms, terms))
+    best = np.empty((*sampled.truth.shape[1:], terms))
+    for channel, gram in enumerate(grams):
+        weighed = (sampled.basis * importance[:, channel, np.newaxis]).T
+        gram[:] = weighed @ sampled.basis
+        gram[np.diag_indices(terms)] += _RIDGE * np.trace(gram) / terms
+        best[channel] = linalg.solve(gram, weighed @ sampled.truth[:, channel], assume_a="pos").T
+    return Metric(grams, best)
+
+
+def even(sampled: Sampled) -> Array:
+    """Return the importance that prefers no set and no channel."""
+    shape = sampled.truth.shape[:2]
+    return np.full(shape, 1.0 / np.prod(shape))
+
+
+def sharpen(importance: Array, errors: Array, shape: Sequence[int], power: float = 0.5) -> Array:
+    """Move importance to where errors are large (Lawson 1961), so that the largest error falls.
+
+    ``errors`` ``(n, channels)`` on a grid of ``shape``; squared, they are averaged over neighbours first, since
+    rounding makes single sets' errors a matter of chance.
+    """
+    smooth = (errors * errors).reshape(*shape, -1)
+    for axis in range(len(shape)):
+        for _ in range(4):
+            padded = np.pad(smooth, [(1, 1) if a == axis else (0, 0) for a in range(smooth.ndim)], mode="edge")
+            size = smooth.shape[axis]
+            smooth = (padded.take(range(size), axis) + 2 * smooth + padded.take(range(2, size + 2), axis)) / 4
+    grown = importance * (smooth.reshape(errors.shape) / smooth.max()) ** power
+    return np.asarray(grown / grown.sum())

@@ -1,0 +1,103 @@
+"""Packed tables: the layout's round trip, its prefix, its cost, and rounding in a metric."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from pipeline import sphere
+from pipeline.fit.axes import Axis
+from pipeline.fit.rounding import lengths_above, round_kept
+from pipeline.fit.search import search
+from pipeline.fit.smallest import smallest
+from pipeline.fit.weighted import Sampled, metric
+from pipeline.table import packed
+from pipeline.table.bits import Reader, Writer
+
+BANDS = 4
+DEGREES, ORDERS = sphere.degrees_orders(BANDS, mirrored=True)
+
+
+def _numbers(seed: int = 1) -> np.ndarray:
+    rng = np.random.default_rng(seed)
+    size = 3000.0 * 0.3 ** np.arange(7)[:, np.newaxis] * 0.15 ** np.arange(4)
+    return np.rint(rng.normal(size=(DEGREES.size, 2, 7, 4)) * size).astype(np.int64)
+
+
+def test_bits_come_back() -> None:
+    writer = Writer()
+    values = [0, -1, 1, 17, -4096, 5]
+    for value in values:
+        writer.rice(value, 3)
+    writer.fixed(21, 5)
+    reader = Reader(writer.bytes())
+    assert [reader.rice(3) for _ in values] == values
+    assert reader.fixed(5) == 21
+    with pytest.raises(IndexError):
+        reader.fixed(32)
+
+
+def test_packed_numbers_come_back_and_cost_what_was_said() -> None:
+    numbers = _numbers()
+    out = packed.pack(numbers, DEGREES)
+    back = packed.unpack(out)
+    assert np.array_equal(back, numbers[:, :, : back.shape[2], : back.shape[3]])
+    assert not numbers[:, :, back.shape[2] :].any()
+    assert not numbers[..., back.shape[3] :].any()
+    assert out.bytes == packed.cost(numbers, DEGREES)
+
+
+@pytest.mark.parametrize("bands", range(1, BANDS))
+def test_a_prefix_of_the_stream_serves_fewer_bands(bands: int) -> None:
+    out = packed.pack(_numbers(), DEGREES)
+    assert np.array_equal(packed.unpack(out, bands), packed.unpack(out)[: sphere.count(bands, mirrored=True)])
+
+
+def test_empty_tables_pack() -> None:
+    numbers = np.zeros((DEGREES.size, 3, 5, 2), dtype=np.int64)
+    assert not packed.unpack(packed.pack(numbers, DEGREES)).any()
+
+
+def _sampled(count: int) -> Sampled:
+    u = -np.cos(np.pi * (np.arange(count) + 0.5) / count)
+    basis = np.polynomial.chebyshev.chebvander(u, 9)
+    truth = np.stack([np.exp(u), np.sin(3 * u), 1 / (1.4 - u)], axis=-1)[:, np.newaxis] * np.array([[1.0], [0.7]])
+    factor = np.broadcast_to(np.array([[1.0, 0.0], [0.7, 0.1]]), (count, 2, 2))
+    return Sampled(factor, truth, [basis], np.zeros(3, dtype=np.int64))
+
+
+def test_rounding_in_the_metric_beats_plain_rounding() -> None:
+    sampled = _sampled(40)
+    normal = metric(sampled, np.full((40, 2), 1 / 80))
+    best = normal.best.reshape(3, 2, 10, 1)
+    step = 0.02
+    numbers = round_kept(normal, lengths_above(best, 0.0), 10, step)
+    plain = np.rint(best / step)
+
+    def spread(values: np.ndarray) -> float:
+        return float(np.mean(sampled.errors(values.reshape(3, 2, 10) * step) ** 2))
+
+    assert spread(numbers.astype(np.float64)) < 0.8 * spread(plain)
+
+
+def test_the_smallest_table_keeps_its_budget() -> None:
+    grid, checked = _sampled(40), _sampled(67)
+    degrees = np.arange(3)
+    found = smallest(grid, checked, (40,), 10, 0.01, lambda n: packed.cost(n, degrees))
+    assert found is not None
+    assert found.error <= 0.01
+    assert found.error == pytest.approx(checked.errors(found.numbers.reshape(3, 2, 10) * found.step).max())
+    assert smallest(grid, checked, (40,), 2, 1e-6, lambda n: packed.cost(n, degrees)) is None
+
+
+def test_the_search_finds_a_pole() -> None:
+    axes = (Axis("a", 0.0, 1.0), Axis("b", 2.0, 5.0))
+    nodes = [axis.fit_nodes(count, "chebyshev") for axis, count in zip(axes, (24, 21), strict=True)]
+    a, b = np.meshgrid(*nodes, indexing="ij")
+    bright = 1 / ((b - 1.7) * (1.2 - a))
+    samples = bright[..., np.newaxis, np.newaxis] * np.stack([1 + a, a * b, np.ones_like(a)], axis=-1)[..., np.newaxis, :]
+    found = search(axes, nodes, samples, bright, 1e-3)
+    flat = np.stack([a.ravel(), b.ravel()], axis=-1)
+    product = found.denominator.evaluate(flat) * bright.ravel()
+    assert np.ptp(product) / product.mean() < 0.6
+    assert found.modes.shape == (1, 1)
