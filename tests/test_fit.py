@@ -10,9 +10,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from pipeline.fit import errors, solve, staircase, sweep
+from pipeline.fit import errors, solve, sweep
 from pipeline.fit.axes import Axis
 from pipeline.fit.bases import BASES
+from pipeline.fit.fewest import fewest
+from pipeline.fit.weighted import Sampled, even, metric, sharpen
 
 Array = NDArray[np.float64]
 MAPS = st.sampled_from([("identity", 0.0), ("log", -0.5), ("reciprocal", -2.0), ("reciprocal", 30.0), ("cbrt", 30.0)])
@@ -125,18 +127,38 @@ def test_mean_luminance_of_a_uniform_sky() -> None:
     assert errors.mean_luminance(first, np.ones(1)) == pytest.approx([5.0])
 
 
-@given(st.integers(0, 500), st.floats(1e-4, 0.5))
-def test_staircase_keeps_what_the_budget_needs(seed: int, budget: float) -> None:
-    rng = np.random.default_rng(seed)
-    decay = np.exp(-np.add.outer(np.arange(8), 1.5 * np.arange(4)))
-    dense = rng.normal(size=(2, 3, 8, 4)) * decay
+def sampled(count: int) -> Sampled:
+    """Three smooth weights of two channels over one variable, in units of L_min."""
+    u = -np.cos(np.pi * (np.arange(count) + 0.5) / count)
+    truth = np.stack([np.exp(u), np.sin(3 * u), 1 / (1.4 - u)], axis=-1)[:, np.newaxis] * np.array([[1.0], [0.7]])
+    return Sampled(np.polynomial.chebyshev.chebvander(u, 11), truth)
 
-    def measure(lengths: staircase.Lengths) -> float:
-        dropped = np.arange(8)[:, np.newaxis] >= lengths[:, :, np.newaxis]
-        return float(np.sqrt((np.where(dropped, dense, 0.0) ** 2).sum(axis=(1, 2, 3))).max())
 
-    lengths = staircase.shortest(dense, budget, measure)
-    assert lengths is not None
-    assert measure(lengths) <= budget
-    assert lengths.sum() < dense.size
-    assert staircase.shortest(dense, budget, lambda _: 1.0) is None
+@pytest.mark.parametrize("budget", [0.1, 1e-2, 1e-3])
+def test_fewest_terms_keep_the_budget_and_no_fewer_do(budget: float) -> None:
+    grid, checked = sampled(40), sampled(67)
+    best, tried = fewest(grid, checked, (40,), 12, budget)
+    assert best is not None
+    assert best.error <= budget
+    assert best.error == pytest.approx(checked.errors(best.dense.reshape(2, 3, -1)).max())
+    assert best.lengths.tolist() == [np.count_nonzero(np.any(best.dense[..., 0] != 0, axis=(0, 1)))]
+    assert best.lengths.sum() % 4 == 0
+    # One group of four fewer, fitted as well as can be, would not do.
+    fewer = [k.error for k in tried if k.lengths.sum() <= best.lengths.sum() - 4]
+    assert min(fewer, default=np.inf) > budget
+
+
+def test_fewest_says_so_when_all_terms_are_too_few() -> None:
+    assert fewest(sampled(40), sampled(67), (40,), 12, 1e-9)[0] is None
+
+
+def test_sharpening_lowers_the_largest_error() -> None:
+    grid = sampled(60)
+    importance = even(grid)
+    errors = []
+    for _ in range(12):
+        found = metric(grid, importance).best_of(np.arange(6))
+        made = grid.errors(found)
+        errors.append(float(made.max()))
+        importance = sharpen(importance, made, (60,))
+    assert min(errors) < 0.8 * errors[0]

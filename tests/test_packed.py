@@ -10,8 +10,8 @@ from pipeline.fit.axes import Axis
 from pipeline.fit.rounding import lengths_above, round_kept
 from pipeline.fit.search import search
 from pipeline.fit.smallest import smallest
-from pipeline.fit.weighted import Sampled, metric
-from pipeline.table import packed
+from pipeline.fit.weighted import Sampled, even, metric
+from pipeline.table import factor, packed
 from pipeline.table.bits import Reader, Writer
 
 BANDS = 4
@@ -60,34 +60,39 @@ def test_empty_tables_pack() -> None:
 
 def _sampled(count: int) -> Sampled:
     u = -np.cos(np.pi * (np.arange(count) + 0.5) / count)
-    basis = np.polynomial.chebyshev.chebvander(u, 9)
     truth = np.stack([np.exp(u), np.sin(3 * u), 1 / (1.4 - u)], axis=-1)[:, np.newaxis] * np.array([[1.0], [0.7]])
-    factor = np.broadcast_to(np.array([[1.0, 0.0], [0.7, 0.1]]), (count, 2, 2))
-    return Sampled(factor, truth, [basis], np.zeros(3, dtype=np.int64))
+    return Sampled(np.polynomial.chebyshev.chebvander(u, 9), truth)
 
 
 def test_rounding_in_the_metric_beats_plain_rounding() -> None:
-    sampled = _sampled(40)
-    normal = metric(sampled, np.full((40, 2), 1 / 80))
-    best = normal.best.reshape(3, 2, 10, 1)
+    plainly = _sampled(40)
+    # Sets that count differently: the metric is no longer that of the basis.
+    bright = np.exp(np.linspace(-2.0, 2.0, 40))
+    sampled = Sampled(plainly.basis * bright[:, np.newaxis], plainly.truth * bright[:, np.newaxis, np.newaxis])
+    normal = metric(sampled, even(sampled))
+    best = normal.best.reshape(2, 3, 10, 1)
     step = 0.02
     numbers = round_kept(normal, lengths_above(best, 0.0), 10, step)
     plain = np.rint(best / step)
 
     def spread(values: np.ndarray) -> float:
-        return float(np.mean(sampled.errors(values.reshape(3, 2, 10) * step) ** 2))
+        return float(np.mean(sampled.errors(values.reshape(2, 3, 10) * step) ** 2))
 
     assert spread(numbers.astype(np.float64)) < 0.8 * spread(plain)
 
 
 def test_the_smallest_table_keeps_its_budget() -> None:
     grid, checked = _sampled(40), _sampled(67)
-    degrees = np.arange(3)
-    found = smallest(grid, checked, (40,), 10, 0.01, lambda n: packed.cost(n, degrees))
+
+    def cost(numbers: np.ndarray) -> int:
+        return packed.cost(numbers.swapaxes(0, 1), np.arange(3))
+
+    found, tried = smallest(grid, checked, (40,), 10, 0.01, cost)
     assert found is not None
     assert found.error <= 0.01
-    assert found.error == pytest.approx(checked.errors(found.numbers.reshape(3, 2, 10) * found.step).max())
-    assert smallest(grid, checked, (40,), 2, 1e-6, lambda n: packed.cost(n, degrees)) is None
+    assert found.cost == min(t.cost for t in tried if t.error <= 0.01)
+    assert found.error == pytest.approx(checked.errors(found.numbers.reshape(2, 3, 10) * found.step).max())
+    assert smallest(grid, checked, (40,), 2, 1e-6, cost)[0] is None
 
 
 def test_the_search_finds_a_pole() -> None:
@@ -96,8 +101,11 @@ def test_the_search_finds_a_pole() -> None:
     a, b = np.meshgrid(*nodes, indexing="ij")
     bright = 1 / ((b - 1.7) * (1.2 - a))
     samples = bright[..., np.newaxis, np.newaxis] * np.stack([1 + a, a * b, np.ones_like(a)], axis=-1)[..., np.newaxis, :]
-    found = search(axes, nodes, samples, bright, 1e-3)
+    found = search(axes, nodes, samples, bright, 1e-3, free=(True, True), factor=True)
     flat = np.stack([a.ravel(), b.ravel()], axis=-1)
-    product = found.denominator.evaluate(flat) * bright.ravel()
+    product = bright.ravel() / factor.evaluate(factor.Reciprocal(found.denominator), found.axes, flat)
     assert np.ptp(product) / product.mean() < 0.6
-    assert found.modes.shape == (1, 1)
+    kept = search(axes, nodes, samples, np.ones_like(bright), 1e-3, free=(False, True), factor=False)
+    assert kept.axes[0] == axes[0]
+    assert kept.axes[1].map in ("log", "reciprocal")
+    assert kept.denominator.tolist() == [[1.0]]

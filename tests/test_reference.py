@@ -45,8 +45,12 @@ def test_every_winner_keeps_its_budget(fresh: Result) -> None:
 
 def test_sizes_and_errors_stay_within_what_was_promised(fresh: Result) -> None:
     tables = {row["name"]: row for row in fresh.summary["tables"]}
-    for name, limit in {"7-bands-1.5pct": 8192, "7-bands-0.1pct": 14336, "7-bands-0.005pct": 24576}.items():
-        assert tables[name]["bytes"] <= limit
+    limits = {7: {"1.5": 2970, "0.1": 5734, "0.005": 10240}, 4: {"1.5": 1024, "0.1": 1945, "0.005": 3584}}
+    for bands, by_budget in limits.items():
+        for budget, limit in by_budget.items():
+            small, fast = tables[f"{bands}-bands-{budget}pct-packed"], tables[f"{bands}-bands-{budget}pct"]
+            assert small["bytes"] <= limit
+            assert fast["e_mean"] <= 1.01 * small["e_mean"]
     assert tables["7-bands-degrees-13-7"]["e_mean"] <= 0.00008
     assert tables["7-bands-degrees-13-7"]["dtype"] == "float32"
 

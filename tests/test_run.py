@@ -159,7 +159,7 @@ def test_a_renamed_winner_leaves_no_stale_files(tmp_path: Path) -> None:
     (tmp_path / "reports" / "small" / "mine.txt").write_text("kept", encoding="utf-8")
     run_quietly(edited(tmp_path, ("budgets = [0.05, 0.01]", "budgets = [0.06, 0.01]")), tmp_path)
     folders = {p.name for p in (tmp_path / "reports" / "small" / "export").iterdir() if p.is_dir()}
-    assert folders == {"4-bands-6pct", "3-bands-degrees-6-4-float64"}
+    assert folders == {"4-bands-6pct", "4-bands-6pct-packed", "4-bands-1pct-packed", "3-bands-degrees-6-4-float64"}
     assert (tmp_path / "reports" / "small" / "mine.txt").is_file()
 
 

@@ -15,10 +15,10 @@ Array = NDArray[np.float64]
 Index = NDArray[np.int64]
 
 # Staircases keep what exceeds this many steps. Which one wins is a matter of chance within a few per cent.
-_THRESHOLDS = (0.7, 0.9, 1.1)
-_ROUNDS = 5
-_AIMED = 4
-_SCAN = np.geomspace(0.95, 1.2, 12)
+_THRESHOLDS = (0.75, 1.05)
+_ROUNDS = 4
+_AIMED = 3
+_SCAN = np.geomspace(0.95, 1.2, 8)
 _FARTHEST = 8.0
 # A reader's whole numbers have 32 bits.
 _LARGEST = 2.0**30
@@ -61,7 +61,7 @@ def smallest(
         lengths = lengths_above(normal.best.reshape(*normal.best.shape[:2], first, -1), threshold * step)
         numbers = round_kept(normal, lengths, first, step)
         error = float(checked.errors(_values(numbers, step)).max())
-        made = Rounded(numbers, step, error, cost(numbers) if error <= 4.0 * budget else 0)
+        made = Rounded(numbers, step, error, cost(numbers) if error <= 1.5 * budget else 0)
         if made.cost:
             tried.append(replace(made, numbers=numbers[:0]))
         if error <= budget and (best is None or made.cost < best.cost):

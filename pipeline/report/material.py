@@ -62,13 +62,19 @@ class Sweep:
 
 @dataclass(frozen=True)
 class Material:
-    """What pictures and page are made of. ``sample`` gives a set's true weights ``(channels, count)``."""
+    """What pictures and page are made of.
+
+    ``sample`` gives a set's true weights ``(channels, count)``; ``fronts`` the Pareto front of bytes and E_mean,
+    ``(points, 2)``, for each number of bands and layout; ``origins`` what the stage of that name found, if it ran.
+    """
 
     name: str
     basis: str
     light: Light
     axes: tuple[Axis, ...]
     conventions: tuple[str, ...]
+    fronts: Mapping[tuple[int, str], Array]
+    origins: Mapping[str, NDArray[Any]] | None
     winners: tuple[Entry, ...]
     references: tuple[Entry, ...]
     recommended: str

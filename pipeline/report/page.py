@@ -42,6 +42,7 @@ def _row(material: Material, entry: Entry, bands: int) -> dict[str, Any]:
         "basis": entry.table.basis,
         "degrees": ", ".join(map(str, entry.table.degrees)),
         "dtype": str(entry.table.dtype),
+        "layout": entry.table.body.kind,
         "coefficients": entry.table.coefficients,
         "bytes": entry.table.bytes_at(bands),
         "e_mean": percent(e_mean),

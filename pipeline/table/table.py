@@ -66,7 +66,7 @@ class Table:
         """The order of the outputs in a row."""
         return layout(self.bands, len(self.channels), mirrored=self.mirrored)
 
-    @property
+    @cached_property
     def coefficients(self) -> int:
         """How many coefficients are kept, padding left out."""
         if isinstance(self.body, Packed):

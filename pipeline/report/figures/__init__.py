@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from matplotlib.figure import Figure
 
-from pipeline.report.figures import bands, degrees, maps, panoramas, ringing, sizes
+from pipeline.report.figures import bands, degrees, maps, origins, panoramas, ringing, sizes
 from pipeline.report.material import Material
 
 
@@ -22,6 +22,7 @@ class Picture:
 
 PICTURES = {
     "bands": Picture("Largest errors against bands", bands.CAPTION, bands.draw),
+    "origins": Picture("The 2008 result explained", origins.CAPTION, origins.draw),
     "bytes": Picture("Error against bytes", sizes.CAPTION, sizes.draw),
     "degrees": Picture("Error of every combination of degrees", degrees.CAPTION, degrees.draw),
     "maps": Picture("Where the error is", maps.CAPTION, maps.draw),

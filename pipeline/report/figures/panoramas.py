@@ -12,9 +12,10 @@ from pipeline.report.material import Entry, Material
 from pipeline.table.table import full_weights
 
 CAPTION = (
-    "The paper's figure 2: the sky itself, its SH expansion from converged weights, the expansion from the table, and their "
-    "difference in per cent of the least radiance (luminance). Azimuth across, the sun in the middle; altitude up. "
-    "An expansion of few bands rings below the horizon, which is the truth of that expansion and no error of a table."
+    "The paper's figure 2: the sky itself, its SH expansion from converged weights, the expansion from the table, and "
+    "their difference in per cent of the least radiance (luminance). Azimuth across, the sun in the middle; altitude "
+    "up. An expansion of few bands rings below the horizon, which is the truth of that expansion and no error of a "
+    "table."
 )
 
 
@@ -25,7 +26,7 @@ def draw(material: Material) -> Figure:
         columns += [(title, values, entry) for entry in (*material.references[:2], material.best)]
     columns.append(("Worst set of this table", material.best.worst, material.best))
     figure = style.figure(3.7 * len(columns), 8.6)
-    panels = figure.subplots(4, len(columns), squeeze=False)
+    panels = figure.subplots(4, len(columns), squeeze=False, sharex=True, sharey=True)
     for column, (title, values, entry) in enumerate(columns):
         _column(material, list(panels[:, column]), title, values, entry, figure)
     for row, label in zip(panels[:, 0], ("sky", "SH, true weights", "SH, table", "difference"), strict=True):

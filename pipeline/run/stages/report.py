@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 from functools import partial
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +16,7 @@ from pipeline.report.material import Entry, Material, Sweep
 from pipeline.run.executors import Advance
 from pipeline.run.plan import Inputs, Step
 from pipeline.run.provenance import environment, settings
+from pipeline.run.stages import origins
 from pipeline.run.stages.axes import axes_of, variables
 from pipeline.run.stages.files import to_dataset
 from pipeline.store.dataset import Dataset
@@ -29,7 +31,9 @@ _INPUTS = ("truth/rule", "truth/verification", "fit", "select")
 def steps(config: Config) -> list[Step]:
     """Return the report's step."""
     parameters = {"config": settings(config), "environment": environment()}
-    return [Step("report", "", _CODE, (*_INPUTS, *variables(config)), parameters, partial(_make, config))]
+    explained = (origins.STEP,) if origins.is_wanted(config) else ()
+    needed = (*_INPUTS, *variables(config), *explained)
+    return [Step("report", "", _CODE, needed, parameters, partial(_make, config))]
 
 
 def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
@@ -68,6 +72,11 @@ def _material(config: Config, inputs: Inputs) -> Material:
         light=config.source,
         axes=axes_of(config, inputs),
         conventions=tuple(str(select.attrs["conventions"]).split(",")),
+        fronts={
+            (int(bands), layout): select[f"fronts/{bands}-{layout}"]
+            for bands, layout in (n.removeprefix("fronts/").split("-") for n in select.variables if n.startswith("fronts/"))
+        },
+        origins=_arrays(inputs[origins.STEP]) if origins.STEP in inputs else None,
         winners=tuple(_entry(select, f"tables/{name}", name) for name in table_names(config)),
         references=tuple(_entry(fit, f"references/{r.name}", r.name) for r in config.fit.references),
         recommended=config.export.recommended,
@@ -84,6 +93,10 @@ def _material(config: Config, inputs: Inputs) -> Material:
         keys={name: str(inputs[name].attrs["key"]) for name in _INPUTS},
         rule=rule.attrs,
     )
+
+
+def _arrays(artifact: Dataset) -> dict[str, NDArray[Any]]:
+    return {name: variable.data for name, variable in artifact.variables.items()}
 
 
 def _entry(artifact: Dataset, start: str, name: str) -> Entry:

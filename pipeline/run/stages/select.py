@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
 
@@ -17,7 +17,7 @@ from pipeline.fit.errors import Reference, mean_luminance
 from pipeline.fit.fewest import fewest
 from pipeline.fit.smallest import smallest
 from pipeline.fit.weighted import Sampled
-from pipeline.run.executors import Advance
+from pipeline.run.executors import Advance, map_tasks
 from pipeline.run.plan import Inputs, Step
 from pipeline.run.stages.axes import fit_nodes, frame_of, variables
 from pipeline.run.stages.fit import reference_of, truth_inputs
@@ -29,6 +29,9 @@ from pipeline.table.measure import headline, measure
 from pipeline.table.table import Frame, Table
 
 Array = NDArray[np.float64]
+# Bytes and E_mean of a table that was tried.
+Point = tuple[float, float]
+Result = tuple[Wanted, Table, list[Point]]
 
 _CODE = ("light", "sphere", "fit", "table", "export/npz.py", "config/names.py", "run/stages/select.py", "run/stages/fit.py")
 # How often a table that float32 carries over its budget is sought again with a smaller one, and how much smaller.
@@ -66,19 +69,18 @@ def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
     material = _gather(config, inputs)
     reference = material.reference
     asked = wanted(config)
-    made: dict[str, Table] = {}
-    fronts: dict[tuple[int, str], list[tuple[float, float]]] = {}
-    # A packed table comes before the fast one of its budget, whose error is bounded by its.
-    for done, table in enumerate(sorted(asked, key=lambda w: w.layout != "packed")):
-        advance(done, len(asked))
-        if table.budget is None:
-            made[table.name] = _given(table, material, inputs["fit"])
-            continue
-        budget = table.budget
-        beside = made.get(f"{table.name}-packed")
-        if beside is not None:
-            budget = min(budget, _BESIDE_PACKED * headline(beside, reference))
-        made[table.name], tried = _cheapest(table, budget, material)
+    made = {table.name: _given(table, material, inputs["fit"]) for table in asked if table.budget is None}
+    groups: dict[tuple[int, str, float], list[Wanted]] = {}
+    for table in asked:
+        if table.budget is not None:
+            groups.setdefault((table.winner.bands, table.winner.dtype, table.budget), []).append(table)
+    run = config.run
+    # The hardest first, so that no worker waits long for the other's last one.
+    jobs = [partial(_searched, group, material) for _, group in sorted(groups.items(), key=lambda g: (-g[0][0], g[0][2]))]
+    results = map_tasks(_call, jobs, executor=run.executor, workers=run.workers, advance=advance)
+    fronts: dict[tuple[int, str], list[Point]] = {}
+    for table, best, tried in (result for group in results for result in group):
+        made[table.name] = best
         fronts.setdefault((table.winner.bands, table.layout), []).extend(tried)
     found: dict[str, Variable] = {"parameters": Variable(("set", "axis"), reference.parameters)}
     for table in asked:
@@ -86,6 +88,21 @@ def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
     for (bands, layout), points in sorted(fronts.items()):
         found[f"fronts/{bands}-{layout}"] = Variable(("point", "bytes_error"), np.array(_front(points)))
     return Dataset(found, {"conventions": ",".join(reference.l_min)})
+
+
+def _call(job: Callable[[], list[Result]]) -> list[Result]:
+    return job()
+
+
+def _searched(group: Sequence[Wanted], material: _Material) -> list[Result]:
+    """Search the tables of one budget: the packed one first, whose error then bounds the fast one's."""
+    found: list[Result] = []
+    for table in sorted(group, key=lambda w: w.layout != "packed"):
+        budget = table.budget or 0.0
+        if found:
+            budget = min(budget, _BESIDE_PACKED * headline(found[0][1], material.reference))
+        found.append((table, *_cheapest(table, budget, material)))
+    return found
 
 
 def _measured(name: str, table: Table, reference: Reference) -> dict[str, Variable]:
@@ -125,7 +142,7 @@ def _given(table: Wanted, material: _Material, fit: Dataset) -> Table:
     return tables.whole(material.frame, cut, table.winner.bands, table.winner.dtype)
 
 
-def _cheapest(wanted_: Wanted, budget: float, material: _Material) -> tuple[Table, list[tuple[float, float]]]:
+def _cheapest(wanted_: Wanted, budget: float, material: _Material) -> tuple[Table, list[Point]]:
     """Search with a budget that shrinks until the table as shipped meets the one asked for; also return all tried."""
     aim, reached, front = budget, np.inf, []
     for _ in range(_RETRIES):
@@ -161,7 +178,7 @@ def _both(material: _Material, bands: int) -> tuple[Sampled, Sampled]:
     return grid, _sampled(material, reference.parameters, reference.weights, l_min, bands)
 
 
-def _fast(wanted_: Wanted, aim: float, material: _Material) -> tuple[Table | None, list[tuple[float, float]]]:
+def _fast(wanted_: Wanted, aim: float, material: _Material) -> tuple[Table | None, list[Point]]:
     bands, dtype, first = wanted_.winner.bands, wanted_.winner.dtype, material.degrees[0] + 1
     best, tried = fewest(*_both(material, bands), material.shape, first, aim)
     rest = tuple(d + 1 for d in material.degrees[1:])
@@ -175,7 +192,7 @@ def _fast(wanted_: Wanted, aim: float, material: _Material) -> tuple[Table | Non
     return (table(best.lengths, best.dense) if best else None), points
 
 
-def _packed(wanted_: Wanted, aim: float, material: _Material) -> tuple[Table | None, list[tuple[float, float]]]:
+def _packed(wanted_: Wanted, aim: float, material: _Material) -> tuple[Table | None, list[Point]]:
     bands, first = wanted_.winner.bands, material.degrees[0] + 1
     degrees = sphere.degrees_orders(bands, mirrored=material.frame.mirrored)[0]
 
@@ -190,9 +207,9 @@ def _packed(wanted_: Wanted, aim: float, material: _Material) -> tuple[Table | N
     return table, [(float(r.cost + fixed), r.error) for r in tried]
 
 
-def _front(points: Sequence[tuple[float, float]]) -> list[tuple[float, float]]:
+def _front(points: Sequence[Point]) -> list[Point]:
     """Return the points that no other beats in both bytes and error, by rising bytes."""
-    kept: list[tuple[float, float]] = []
+    kept: list[Point] = []
     for size, error in sorted(points):
         if not kept or error < kept[-1][1]:
             kept.append((size, error))
