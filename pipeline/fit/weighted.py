@@ -30,7 +30,9 @@ class Sampled:
     def errors(self, coefficients: Array) -> Array:
         """Return E_mean of every set and channel, ``(n, channels)``, of coefficients ``(channels, count, terms)``."""
         channels, count = coefficients.shape[:2]
-        made = self.basis @ coefficients.reshape(channels * count, -1).T
+        flat = coefficients.reshape(channels * count, -1)
+        use = np.flatnonzero(flat.any(axis=0))
+        made = self.basis[:, use] @ flat[:, use].T
         residual = made.reshape(-1, channels, count) - self.truth
         return np.asarray(np.sqrt(np.einsum("ncw,ncw->nc", residual, residual)))
 

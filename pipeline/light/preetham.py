@@ -134,9 +134,8 @@ class Preetham:
         out = np.empty((*scale.shape, 3))
         blue_xyz = (1.0 - x - y) * scale
         red_xyz = x * scale
-        for channel in range(3):
-            row = to_rgb[channel]
-            out[..., channel] = row[0] * red_xyz + row[1] * luminance + row[2] * blue_xyz
+        for channel, (a, b, c) in enumerate(to_rgb.tolist()):
+            out[..., channel] = a * red_xyz + b * luminance + c * blue_xyz
         return out
 
     def _of_parameters(self, theta: Array, tau: Array) -> tuple[Floats, Array]:
@@ -144,19 +143,24 @@ class Preetham:
 
         All at once, since a few samples of one sky cost less than these scalars do one by one.
         """
-        rank = max(theta.ndim, tau.ndim)
-        perez, chromaticity = (table.reshape(*table.shape, *(1 for _ in range(rank))) for table in _tables(self.constants))
+        perez, chromaticity = _tables(self.constants, max(theta.ndim, tau.ndim))
         shape = perez[:, :, 0] * tau + perez[:, :, 1]
         of_theta = ((chromaticity[0] * theta + chromaticity[1]) * theta + chromaticity[2]) * theta + chromaticity[3]
-        x, y = (of_theta[0] * tau + of_theta[1]) * tau + of_theta[2]
-        zenith = np.stack(np.broadcast_arrays(zenith_luminance(theta, tau), x, y))
+        chroma = (of_theta[0] * tau + of_theta[1]) * tau + of_theta[2]
+        zenith = np.empty((3, *chroma.shape[1:]))
+        zenith[0], zenith[1:] = zenith_luminance(theta, tau), chroma
         return shape, zenith / _perez_sky(shape, 1.0, theta, np.cos(theta))
 
 
-@lru_cache(maxsize=len(CONSTANT_SETS))
-def _tables(constants: str) -> tuple[Array, Array]:
-    """Perez constants ``(A..E, Y x y, slope and offset)`` and zenith chromaticity ``(theta^3..1, tau^2..1, x y)``."""
-    return np.array(_PEREZ[constants]).reshape(5, 3, 2), np.array(_ZENITH[constants]).transpose(2, 1, 0)
+@lru_cache(maxsize=8 * len(CONSTANT_SETS))
+def _tables(constants: str, rank: int) -> tuple[Array, Array]:
+    """Perez constants ``(A..E, Y x y, slope and offset)`` and zenith chromaticity ``(theta^3..1, tau^2..1, x y)``.
+
+    Both are followed by ``rank`` axes of size 1, for the parameters' own.
+    """
+    ones = (1,) * rank
+    zenith = np.array(_ZENITH[constants]).transpose(2, 1, 0)
+    return np.array(_PEREZ[constants]).reshape(5, 3, 2, *ones), zenith.reshape(*zenith.shape, *ones)
 
 
 def zenith_luminance(theta: Floats, tau: Floats) -> Floats:

@@ -99,7 +99,7 @@ def sun_angle(directions: Array, theta: Array) -> tuple[Array, Array]:
 
     ``theta`` broadcasts against ``directions.shape[:-1]``. The arc tangent keeps full precision at a sky's cusp.
     """
-    x, y, z = np.moveaxis(directions, -1, 0)
+    x, y, z = directions[..., 0], directions[..., 1], directions[..., 2]
     sin_theta, cos_theta = np.sin(theta), np.cos(theta)
     cos_gamma = x * sin_theta + z * cos_theta
     return np.arctan2(np.hypot(y, x * cos_theta - z * sin_theta), cos_gamma), cos_gamma

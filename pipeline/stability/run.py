@@ -11,7 +11,7 @@ from pipeline.bench import page
 from pipeline.bench.exported import exported
 from pipeline.bench.samples import sample
 from pipeline.config.schema import Config
-from pipeline.stability import bases, contraction, edges, harmonics, noise, schemes, winners
+from pipeline.stability import bands, bases, contraction, edges, harmonics, noise, schemes, winners
 
 _BANDS = 7
 LEAD = (
@@ -30,7 +30,7 @@ def run(config: Config, reports: Path, advance: Callable[[int, int], None]) -> s
     return page.publish(folder / "stability", f"Stability of {config.name}", LEAD, sections)
 
 
-_COUNT = 8
+_COUNT = 9
 
 
 def _sections(config: Config, folder: Path) -> Iterator[page.Section]:
@@ -41,6 +41,7 @@ def _sections(config: Config, folder: Path) -> Iterator[page.Section]:
     yield contraction.section(samples, tables)
     yield noise.section(samples)
     yield harmonics.section()
+    yield bands.section(config, tables[config.export.recommended])
     yield edges.section(samples, tables[config.export.recommended])
     yield winners.second_verification(samples, tables, published)
     yield winners.smoothness(samples, tables)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
@@ -34,9 +34,11 @@ Point = tuple[float, float]
 Result = tuple[Wanted, Table, list[Point]]
 
 _CODE = ("light", "sphere", "fit", "table", "export/npz.py", "config/names.py", "run/stages/select.py", "run/stages/fit.py")
-# How often a table that float32 carries over its budget is sought again with a smaller one, and how much smaller.
+# How often a table that float32 carries over its budget is sought again, with a budget how much below proportion.
 _RETRIES = 4
-_SHRINK = 0.98
+_SHRINK = 0.995
+# Searches start from degrees whose whole fit errs this much less than the budget.
+_HEADROOM = 10.0
 # A fast table may err this much more than the packed one of the same budget.
 _BESIDE_PACKED = 1.01
 
@@ -56,6 +58,16 @@ class _Material:
     shape: tuple[int, ...]
     degrees: tuple[int, ...]
     reference: Reference
+    swept: NDArray[np.int64]
+    swept_error: Array
+
+    def enough(self, bands: int, budget: float) -> tuple[int, ...]:
+        """Return the fewest degrees whose whole fit stays well within ``budget``, by the sweep; all where none does."""
+        error = self.swept_error[:, :, bands - 1].max(axis=1)
+        found = self.swept[error <= budget / _HEADROOM]
+        if not len(found):
+            return self.degrees
+        return tuple(found[np.prod(found + 1, axis=1).argmin()].tolist())
 
 
 def steps(config: Config) -> list[Step]:
@@ -133,7 +145,8 @@ def _gather(config: Config, inputs: Inputs) -> _Material:
     )
     sets = np.stack([c.ravel() for c in np.meshgrid(*nodes, indexing="ij")], axis=-1)
     degrees = tuple(axis.degrees[1] for axis in config.axes)
-    return _Material(frame, sets, weights, least, shape, degrees, reference)
+    swept, errors = inputs["fit"]["sweep/degrees"], inputs["fit"]["sweep/e_mean"][0]
+    return _Material(frame, sets, weights, least, shape, degrees, reference, swept, errors)
 
 
 def _given(table: Wanted, material: _Material, fit: Dataset) -> Table:
@@ -145,6 +158,7 @@ def _given(table: Wanted, material: _Material, fit: Dataset) -> Table:
 def _cheapest(wanted_: Wanted, budget: float, material: _Material) -> tuple[Table, list[Point]]:
     """Search with a budget that shrinks until the table as shipped meets the one asked for; also return all tried."""
     aim, reached, front = budget, np.inf, []
+    material = replace(material, degrees=material.enough(wanted_.winner.bands, budget))
     for _ in range(_RETRIES):
         search = _packed if wanted_.layout == "packed" else _fast
         table, tried = search(wanted_, aim, material)
@@ -155,7 +169,7 @@ def _cheapest(wanted_: Wanted, budget: float, material: _Material) -> tuple[Tabl
         reached = headline(table, material.reference)
         if reached <= budget:
             return table, front
-        aim *= min(_SHRINK, budget / reached)
+        aim *= _SHRINK * budget / reached
     raise BudgetError(
         f"No table of {wanted_.winner.bands} bands meets winners.budgets = {budget:g}: {wanted_.name} reaches "
         f"{reached:.3g} with all degrees. Raise the budget, or the largest degrees of the axes."

@@ -22,7 +22,7 @@
  *
  * Provenance
  *   config preetham, table 7-bands-degrees-13-7
- *   selection 51c23129d5fd5611f42bd97426a3d94ed0a299f15ab08a767174d51d46439254
+ *   selection bb5a63134ea432c49439608a9dd7ae73a8aacf07bff86e3400ed4bb82966e1ab
  *   python 3.11.7, numpy 2.4.6, scipy 1.17.1, h5py 3.16.0, dask 2026.8.0
  *   x86_64: AVX512_ICL X86_V2 X86_V3 X86_V4
  */
