@@ -28,9 +28,10 @@ class Runtime:
 
     @property
     def inputs(self) -> tuple[str, ...]:
-        """Names of the inputs in order: the first axis, ``sun_azimuth``, the other axes."""
+        """Names of the inputs in order: the first axis, ``sun_azimuth`` unless the table fixes it, the other axes."""
         first, *rest = (axis.name for axis in self.table.axes)
-        return (first, "sun_azimuth", *rest)
+        azimuth = ("sun_azimuth",) if self.table.azimuth is None else ()
+        return (first, *azimuth, *rest)
 
     def weights(
         self, *values: ArrayLike, bands: int | None = None, window: bool = False, **named: ArrayLike
@@ -61,8 +62,14 @@ class Runtime:
         clamped, azimuth, status = self._check(inputs.reshape(-1, inputs.shape[-1]))
         full = full_weights(table, table.evaluate(clamped), bands)
         out = sphere.rotate_azimuth(full, azimuth[:, np.newaxis])
+        if window and table.windowed:
+            raise ValueError("The window is in the weights of this table already. Leave window=False.")
         if window:
             out = out * sphere.zonal_sinc(bands).astype(out.dtype)
+        if table.windowed and bands < table.bands:
+            # The window follows the number of bands.
+            whole = sphere.zonal_sinc(table.bands)[: bands * bands]
+            out = out * (sphere.zonal_sinc(bands) / whole).astype(out.dtype)
         out[status == INVALID] = 0.0
         return out.reshape(*shape, len(table.channels), bands * bands), status.reshape(shape)
 
@@ -73,10 +80,13 @@ class Runtime:
 
     def _check(self, columns: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.int64]]:
         """Return axis values inside their ranges ``(n, axes)``, azimuths ``(n,)`` and status ``(n,)``."""
-        invalid = np.isnan(columns).any(axis=1) | np.isinf(columns[:, 1])
+        place = 1 if self.table.azimuth is None else None
+        azimuth = np.full(len(columns), self.table.azimuth) if place is None else columns[:, place]
+        invalid = np.isnan(columns).any(axis=1) | np.isinf(azimuth.astype(np.float64))
         columns = np.where(invalid[:, np.newaxis], 0.0, columns)
-        clamped, outside = self.table.clamp(np.delete(columns, 1, axis=1))
-        return clamped, columns[:, 1], np.where(invalid, INVALID, np.where(outside, CLAMPED, OK))
+        azimuth = np.where(invalid, 0.0, azimuth)
+        clamped, outside = self.table.clamp(columns if place is None else np.delete(columns, place, axis=1))
+        return clamped, azimuth, np.where(invalid, INVALID, np.where(outside, CLAMPED, OK))
 
     def _bind(self, values: tuple[ArrayLike, ...], named: dict[str, ArrayLike]) -> list[ArrayLike]:
         names = self.inputs

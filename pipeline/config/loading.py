@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import difflib
 import json
 import tomllib
@@ -11,7 +12,7 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from pipeline.config import problems
+from pipeline.config import problems, sun
 from pipeline.config.problems import Problem
 from pipeline.config.schema import Config
 
@@ -41,6 +42,10 @@ def load(path: str | Path, run: Mapping[str, Any] | None = None) -> Config:
 
 def parse(raw: dict[str, Any], where: str) -> Config:
     """Check the parsed TOML ``raw``; ``where`` names it in errors."""
+    raw = copy.deepcopy(raw)
+    wrong = sun.narrow(raw)
+    if wrong:
+        raise ConfigError(f"{where} has 1 problem:\n  {Problem('$.scene.sun', raw['scene']['sun'], wrong)}")
     try:
         # JSON mode is strict about types but takes arrays for tuples, as TOML has no tuples.
         config = Config.model_validate_json(json.dumps(raw, default=str))

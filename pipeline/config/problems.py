@@ -23,11 +23,28 @@ class Problem:
 
 def find(config: Config) -> list[Problem]:
     """Return every problem of a config that satisfies the schema."""
-    return [*_axes(config), *_fit(config), *_winners(config), *_cases(config), *_names(config)]
+    return [*_scene(config), *_axes(config), *_fit(config), *_winners(config), *_cases(config), *_names(config)]
+
+
+def _scene(config: Config) -> Iterator[Problem]:
+    domains = config.light.domains
+    for name, value in config.scene.fixed.items():
+        path = f"$.scene.fixed.{name}"
+        if name not in domains:
+            yield Problem(path, value, f"The light has no such parameter. Use one of: {', '.join(domains)}.")
+        elif not domains[name].low <= value <= domains[name].high:
+            domain = domains[name]
+            yield Problem(path, value, f"Stay within [{domain.low:.9g}, {domain.high:.9g}]: {domain.why}.")
+        elif any(axis.name == name for axis in config.axes):
+            yield Problem(path, value, f"A fixed parameter is no axis. Remove the [[axes]] table of {name}, or fix nothing.")
 
 
 def _axes(config: Config) -> Iterator[Problem]:
-    domains = config.light.domains
+    domains = {name: domain for name, domain in config.light.domains.items() if name not in config.scene.fixed}
+    if not config.axes:
+        remedy = "At least one axis is needed. For a sun that never moves give its axis range = [v, v], nodes = 1, "
+        yield Problem("$.axes", [], f"{remedy}verification = 1 and degrees = [0, 0].")
+        return
     given = [axis.name for axis in config.axes]
     missing = [name for name in domains if name not in given]
     if missing:
@@ -45,8 +62,9 @@ def _axes(config: Config) -> Iterator[Problem]:
         else:
             domain = domains[axis.name]
             low, high = axis.range
-            if not low < high:
-                yield Problem(f"{path}.range", list(axis.range), "The range is empty. Give [low, high] with low < high.")
+            if low > high or (low == high and axis.degrees != (0, 0)):
+                remedy = "Give [low, high] with low < high, or degrees = [0, 0] for a value that never changes"
+                yield Problem(f"{path}.range", list(axis.range), f"The range is empty. {remedy}.")
             elif low < domain.low or high > domain.high:
                 allowed = f"[{domain.low:.9g}, {domain.high:.9g}] {domain.unit if domain.unit != '1' else ''}".rstrip()
                 yield Problem(f"{path}.range", list(axis.range), f"Stay within {allowed}: {domain.why}.")
@@ -99,15 +117,16 @@ def _winners(config: Config) -> Iterator[Problem]:
             yield Problem(
                 f"{path}.bands", winner.bands, f"The truth has {config.truth.bands} bands. Use fewer, or raise truth.bands."
             )
-        if (winner.degrees is None) == (not winner.budgets):
-            yield Problem(path, {"budgets": list(winner.budgets)}, "Give either budgets, or degrees.")
+        if (winner.degrees is None) == (not winner.budgets and not winner.sizes):
+            given = {"budgets": list(winner.budgets), "sizes": list(winner.sizes)}
+            yield Problem(path, given, "Give either budgets or sizes, or degrees.")
         if winner.degrees is not None:
             yield from _degrees(config, f"{path}.degrees", winner.degrees, [axis.degrees[1] for axis in config.axes])
         if "packed" in winner.layouts and (winner.degrees is not None or winner.dtype != "float32"):
             yield Problem(
                 f"{path}.layouts", list(winner.layouts), 'Packed tables need budgets and dtype = "float32". Use ["rows"].'
             )
-        if winner.budgets and config.fit.basis != "chebyshev":
+        if (winner.budgets or winner.sizes) and config.fit.basis != "chebyshev":
             yield Problem(f"{path}.budgets", list(winner.budgets), 'Budgets need basis = "chebyshev"; give degrees instead.')
 
 

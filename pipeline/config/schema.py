@@ -7,7 +7,7 @@ from typing import Annotated, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
-from pipeline.light import BlackBox, CieGeneral, Light, MitsubaSunsky, Plugin, Preetham
+from pipeline.light import BlackBox, CieGeneral, Fixed, Light, Luminance, MitsubaSunsky, Plugin, Preetham
 
 Name = Annotated[str, Field(pattern=r"^[a-z0-9][a-z0-9_-]{0,39}$")]
 Degree = Annotated[int, Field(ge=0, le=40)]
@@ -35,9 +35,9 @@ class AxisSection(_Section):
     point: float = Field(
         0.0, description="singular point of map = log (below the range), reciprocal (outside) or cbrt (not below)"
     )
-    nodes: int = Field(ge=2, le=1000, description="fit nodes, more than the largest degree")
+    nodes: int = Field(ge=1, le=1000, description="fit nodes, more than the largest degree")
     spacing: Literal["chebyshev", "uniform"] = Field("chebyshev", description="spacing of the fit nodes")
-    verification: int = Field(ge=3, le=2000, description="verification nodes, at least four times the largest degree")
+    verification: int = Field(ge=1, le=2000, description="verification nodes, at least four times the largest degree")
     degrees: tuple[Degree, Degree] = Field(description="[least, largest] polynomial degree of the sweep, 0 to 40")
 
 
@@ -86,6 +86,9 @@ class WinnerSection(_Section):
 
     bands: Bands = Field(description="SH bands of the table, at most truth.bands")
     budgets: tuple[Fraction, ...] = Field((), description="largest E_mean allowed, as fractions in (0, 1]")
+    sizes: tuple[Annotated[int, Field(ge=64, le=10_000_000)], ...] = Field(
+        (), description="largest bytes allowed instead of an error, 64 to 10000000: the least error within each"
+    )
     degrees: tuple[Degree, ...] | None = Field(
         None, description="instead of budgets: one degree an axis, every coefficient kept"
     )
@@ -123,6 +126,26 @@ class ReportSection(_Section):
     cases: tuple[CaseSection, ...] = Field((), description="parameter sets to show beside the worst one")
 
 
+class SunSection(_Section):
+    """Where and when a scene is: what the sun's zenith angle can be."""
+
+    latitude: float = Field(ge=-90.0, le=90.0, description="degrees, north positive")
+    dates: tuple[str, str] = Field(description='first and last day, like ["2026-12-01", "2027-01-31"]')
+
+
+class SceneSection(_Section):
+    """What a scene needs: what it does not need is not computed."""
+
+    channels: Literal["all", "luminance"] = Field("all", description="all of the light's channels, or luminance alone")
+    quantity: Literal["radiance", "irradiance"] = Field(
+        "radiance", description="radiance (for precomputed transfer), or diffuse irradiance in lux, not divided by pi"
+    )
+    window: bool = Field(False, description="fold the zonal window of eq. 5 into the weights")
+    fixed: dict[str, float] = Field({}, description="parameters that never change, e.g. { turbidity = 3.0 }")
+    azimuth: float | None = Field(None, description="the sun's azimuth in radians, if it never changes")
+    sun: SunSection | None = Field(None, description="narrows the sun_zenith axis to what the sun reaches there and then")
+
+
 class RunSection(_Section):
     """Where the work is done; it changes no result."""
 
@@ -147,9 +170,13 @@ class Config(_Section):
     winners: tuple[WinnerSection, ...] = Field(description="at least one [[winners]] table")
     export: ExportSection = Field(description="an [export] section: what renderers get")
     report: ReportSection = ReportSection()
+    scene: SceneSection = SceneSection()
     run: RunSection = RunSection()
 
     @cached_property
     def source(self) -> Light:
-        """The light as the stages see it: with its hints, or as a black box."""
-        return self.light if self.truth.hints else BlackBox(self.light)
+        """The light as the stages see it: its hints shown or hidden, what the scene fixes fixed, its channels."""
+        light: Light = self.light if self.truth.hints else BlackBox(self.light)
+        if self.scene.fixed:
+            light = Fixed(light, tuple(sorted(self.scene.fixed.items())))
+        return Luminance(light) if self.scene.channels == "luminance" and len(light.channels) > 1 else light

@@ -25,13 +25,19 @@ PREFIX = re.compile(r"[a-z][a-z0-9_]{0,31}")
 
 @dataclass(frozen=True)
 class Facts:
-    """What the header says about its table: title, measured errors (fractions), convention, provenance lines."""
+    """What the header says about its table beside what the table knows itself.
+
+    ``e_mean``, ``e_max`` as measured (fractions, ``l_min`` names the convention); ``least`` the least reconstructed
+    luminance over the largest of its set, if it was measured; ``luminance`` the channels' factors to luminance.
+    """
 
     title: str
     e_mean: float
     e_max: float
     l_min: str
     provenance: Sequence[str]
+    least: float | None = None
+    luminance: Sequence[float] = ()
 
 
 def write(table: Table, facts: Facts, prefix: str = "skylight_sh") -> str:
@@ -41,63 +47,98 @@ def write(table: Table, facts: Facts, prefix: str = "skylight_sh") -> str:
     """
     if not PREFIX.fullmatch(prefix):
         raise ValueError(f"Invalid prefix {prefix!r}. Should be a lower-case C identifier of at most 32 characters.")
-    number = _double if table.dtype == np.float64 else _single
-    suffix = "" if table.dtype == np.float64 else "f"
+    double = table.dtype == np.float64
+    number, suffix = (_double, "") if double else (_single, "f")
     names = [axis.name for axis in table.axes]
-    middle = [_single(float(f"{(axis.low + axis.high) / 2:.3g}")) for axis in table.axes]
-    inputs = [names[0], "sun_azimuth", *names[1:]]
+    azimuth = [] if table.azimuth is not None else ["sun_azimuth"]
+    inputs = [names[0], *azimuth, *names[1:]]
+    middle = {axis.name: _single(float(f"{(axis.low + axis.high) / 2:.3g}")) for axis in table.axes}
+    quantity, unit, notes = _about(table)
+    turned = "0.0f" if table.azimuth is None else _single(table.azimuth)
     fast = isinstance(table.body, Rows)
     return _TEMPLATES.get_template("skylight_sh.h.j2").render(
         p=prefix,
         P=prefix.upper(),
         version=__version__,
         title=_comment(facts.title),
-        example=", ".join([middle[0], "0.0f", *middle[1:]]),
+        example=", ".join(middle.get(name, "0.0f") for name in inputs),
         inputs=[f"{a.name}: [{a.low:.9g}, {a.high:.9g}] {'' if a.unit == '1' else a.unit}".rstrip() for a in table.axes]
-        + ["sun_azimuth: any finite angle, rad"],
+        + [f"{name}: any finite angle, rad" for name in azimuth],
         channels=table.channels,
+        quantity=quantity,
+        unit=unit,
+        notes=notes,
+        fixed_azimuth=table.azimuth is not None,
+        windowed=table.windowed,
         e_mean=facts.e_mean,
         e_max=facts.e_max,
         l_min=_comment(facts.l_min),
+        least=facts.least,
         bytes=table.bytes,
         about_layout="laid out for speed" if fast else "packed into few bytes (a fast table takes more and less time)",
         provenance=[_comment(line) for line in facts.provenance],
         bands=table.bands,
-        real="double" if table.dtype == np.float64 else "float",
+        real="double" if double else "float",
         fn={"cos": f"cos{suffix}", "sin": f"sin{suffix}"},
         body="rows_body.j2" if fast else "packed_body.j2",
-        spread="rows_spread.j2" if fast else "packed_spread.j2",
-        rows=c_rows.parts(table, prefix, number) if isinstance(table.body, Rows) else None,
+        fast=fast,
+        rows=c_rows.parts(table, prefix, number) if fast else None,
         packed=_packed(table.body, number) if isinstance(table.body, Packed) else None,
         axes=_axes(table, prefix, suffix, number),
+        xs=", ".join(f"x[{i}]" for i in range(len(names))),
         rest=table.rest,
         mirrored=table.mirrored,
-        prefactor=_prefactor(table, number),
-        denominator=_denominator(table, number),
+        # Derivatives of other bases are not written.
+        gradient=table.basis == "chebyshev",
+        factor=_factor(table, number),
+        luminance=[_single(v) for v in facts.luminance or [1.0] * len(table.channels)],
+        azimuth=f"({prefix}_real){turned if table.azimuth is not None else 'sun_azimuth'}",
+        azimuth_element=f"({prefix}_real){turned if table.azimuth is not None else 'sun_azimuth[s]'}",
         parameters=", ".join(f"float {name}" for name in inputs),
         arguments=", ".join(inputs),
+        arrays=", ".join(f"const float *{name}" for name in inputs),
+        elements=", ".join(f"{name}[s]" for name in inputs),
     )
 
 
+def _about(table: Table) -> tuple[str, str, list[str]]:
+    """Return what the weights are, their unit, and what else a reader must know."""
+    notes = []
+    if table.quantity == "irradiance":
+        quantity, unit = "diffuse irradiance E(n) = sum of w * y(n), luminance-scaled lux", "lx"
+        notes.append("E is not divided by pi: a white diffuse surface reflects E / pi. Bands l = 3, 5, .. carry none of it.")
+    else:
+        quantity, unit = "linear radiance, luminance-scaled cd/m2", "cd/m2"
+    if table.windowed:
+        notes.append("The zonal window sinc(pi l / bands) (Habel et al. 2008, eq. 5) is in the weights.")
+    if table.azimuth is not None:
+        notes.append(f"The sun's azimuth is {table.azimuth:.9g} rad for good.")
+    if isinstance(table.factor, ClosedForm):
+        notes += [f"{name} is {value:.9g} for good." for name, value in table.factor.fixed]
+    return quantity, unit, notes
+
+
 def _axes(table: Table, prefix: str, suffix: str, number: Number) -> list[dict[str, object]]:
-    low = table.factor.coefficients.shape if isinstance(table.factor, Reciprocal) else (1,) * len(table.axes)
     found: list[dict[str, object]] = []
-    for axis, degree, least in zip(table.axes, table.degrees, low, strict=True):
-        terms = max(degree + 1, least)
-        expression = MAPS[axis.map].c_expression.replace("LOG", f"log{suffix}").replace("CBRT", f"cbrt{suffix}")
+    for axis, degree in zip(table.axes, table.degrees, strict=True):
+        expression = MAPS[axis.map].c_expression
         found.append(
             {
                 "name": axis.name,
                 "map": axis.map,
                 "powers": degree + 1,
-                "terms": terms,
+                "terms": degree + 1,
                 # Loops over terms run in fours.
-                "room": -(-terms // 4) * 4,
+                "room": -(-(degree + 1) // 4) * 4,
                 "constants": [number(c) for c in axis.constants],
-                "expression": expression,
+                "wide_constants": [_double(c) for c in axis.constants],
+                "expression": expression.replace("LOG", f"log{suffix}").replace("CBRT", f"cbrt{suffix}"),
+                "wide_expression": expression.replace("LOG", "log").replace("CBRT", "cbrt"),
                 "fill": _fill(table.basis, prefix, suffix),
                 "low": number(axis.low),
                 "high": number(axis.high),
+                "wide_low": _double(axis.low),
+                "wide_high": _double(axis.high),
                 "slack": number(SLACK * max(axis.high - axis.low, 1.0)),
             }
         )
@@ -113,27 +154,37 @@ def _packed(body: Packed, number: Number) -> dict[str, object]:
     }
 
 
-def _denominator(table: Table, number: Number) -> dict[str, object] | None:
-    if not isinstance(table.factor, Reciprocal):
-        return None
-    found = table.factor.coefficients
-    return {"numbers": [number(float(c)) for c in found.ravel()], "sizes": found.shape}
+def _factor(table: Table, number: Number) -> dict[str, object]:
+    """Return what the template needs of the table's factor; the fit divided by the same."""
+    if isinstance(table.factor, ClosedForm):
+        body = PREFACTORS[table.factor.name].c_body
+        wide = re.sub(r"\bfloat\b", "double", re.sub(r"(\d\.\d+)f\b", r"\1", body))
+        wide = re.sub(r"\b(tan|cos|sin|exp|log)f\b", r"\1", wide)
+        return {
+            "kind": "closed",
+            "about": f"the closed form {table.factor.name}",
+            "constants": [number(c) for c in table.factor.constants],
+            "wide_constants": [_double(c) for c in table.factor.constants],
+            "fixed": [(name, _double(value)) for name, value in table.factor.fixed],
+            "body": wide if table.dtype == np.float64 else body,
+            "wide_body": wide,
+        }
+    if isinstance(table.factor, Reciprocal):
+        found = table.factor.coefficients
+        return {
+            "kind": "reciprocal",
+            "about": "1 over a polynomial in the same variables",
+            "constants": [number(float(c)) for c in found.ravel()],
+            "wide_constants": [_double(float(c)) for c in found.ravel()],
+            "sizes": found.shape,
+        }
+    return {"kind": "none", "about": "nothing"}
 
 
 def _fill(basis: str, prefix: str, suffix: str) -> str:
     """Return the basis's C statements in the table's number type."""
     text = re.sub(r"\breal\b", f"{prefix}_real", BASES[basis].c_fill)
     return text.replace("COS(", f"cos{suffix}(").replace("SIN(", f"sin{suffix}(")
-
-
-def _prefactor(table: Table, number: Number) -> dict[str, object] | None:
-    if not isinstance(table.factor, ClosedForm):
-        return None
-    body = PREFACTORS[table.factor.name].c_body
-    if table.dtype == np.float64:
-        body = re.sub(r"\b(tan|cos|sin|exp|log)f\b", r"\1", re.sub(r"(\d\.\d+)f\b", r"\1", body))
-        body = re.sub(r"\bfloat\b", "double", body)
-    return {"name": table.factor.name, "constants": [number(c) for c in table.factor.constants], "body": body}
 
 
 def _single(value: float) -> str:

@@ -38,6 +38,10 @@ def write(table: Table) -> bytes:
         "degrees": table.degrees,
         "prefactor": table.factor.name if isinstance(table.factor, ClosedForm) else "",
         "prefactor_constants": table.factor.constants if isinstance(table.factor, ClosedForm) else (),
+        "fixed": table.factor.fixed if isinstance(table.factor, ClosedForm) else (),
+        "quantity": table.quantity,
+        "windowed": table.windowed,
+        "azimuth": table.azimuth,
         "provenance": table.provenance,
     }
     arrays["denominator"] = table.factor.coefficients if isinstance(table.factor, Reciprocal) else _NONE
@@ -90,7 +94,7 @@ def _table(header: dict[str, Any], archive: Mapping[str, NDArray[Any]]) -> Table
         )
     factor: Factor | None = None
     if header["prefactor"]:
-        factor = ClosedForm(header["prefactor"], tuple(header["prefactor_constants"]))
+        factor = ClosedForm(header["prefactor"], tuple(header["prefactor_constants"]), tuple(map(tuple, header["fixed"])))
     elif archive["denominator"].size:
         factor = Reciprocal(archive["denominator"])
     return Table(
@@ -103,4 +107,7 @@ def _table(header: dict[str, Any], archive: Mapping[str, NDArray[Any]]) -> Table
         body=body,
         factor=factor,
         provenance=header["provenance"],
+        quantity=header["quantity"],
+        windowed=header["windowed"],
+        azimuth=header["azimuth"],
     )

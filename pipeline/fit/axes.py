@@ -41,6 +41,8 @@ class Axis:
 
     def fit_nodes(self, count: int, spacing: str) -> Array:
         """Return ``count`` rising nodes: Chebyshev roots in the fit's variable, or ``uniform`` with both ends."""
+        if self.low == self.high:
+            return np.full(count, self.low)
         if spacing == "uniform":
             return np.linspace(self.low, self.high, count)
         u = -np.cos(np.pi * (np.arange(count) + 0.5) / count)
@@ -48,6 +50,8 @@ class Axis:
 
     def verification_nodes(self, count: int, avoid: Array) -> Array:
         """Return ``count`` rising nodes with both ends, dense towards them, that share no interior one with ``avoid``."""
+        if self.low == self.high or count == 1:
+            return np.full(1, self.low)
         x = np.cos(np.pi * np.arange(count - 1, -1, -1) / (count - 1))
         nodes = (self.low + self.high + (self.high - self.low) * x) / 2
         nodes[0], nodes[-1] = self.low, self.high

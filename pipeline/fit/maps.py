@@ -28,7 +28,8 @@ class Map:
 
 
 def _scaled(low: float, high: float, _: float) -> tuple[float, ...]:
-    return low, 2.0 / (high - low)
+    # A value that never changes has a range of no width; its basis is 1 alone.
+    return low, 2.0 / (high - low) if high > low else 0.0
 
 
 def _log(low: float, high: float, point: float) -> tuple[float, ...]:

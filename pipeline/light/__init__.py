@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from pipeline.light.black_box import BlackBox
 from pipeline.light.cie import CieGeneral
+from pipeline.light.derived import BlackBox, Fixed, Luminance
 from pipeline.light.mitsuba_sunsky import MitsubaSunsky
 from pipeline.light.plugin import Plugin
 from pipeline.light.preetham import Preetham
@@ -20,8 +20,10 @@ __all__ = [
     "BlackBox",
     "CieGeneral",
     "Domain",
+    "Fixed",
     "Hints",
     "Light",
+    "Luminance",
     "MissingExtraError",
     "MitsubaSunsky",
     "Plugin",

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pipeline.light import colour
-from pipeline.light.protocol import Array, Domain, Hints, Parameters, Prefactor, sun_angle
+from pipeline.light.protocol import Array, Domain, Hints, MissingExtraError, Parameters, Prefactor, sun_angle
 
 Floats = NDArray[np.floating]
 
@@ -81,7 +81,14 @@ class Preetham:
 
     model: Literal["preetham"] = "preetham"
     constants: Literal["published", "smits"] = "published"
-    colour_space: Literal["srgb"] = "srgb"
+    colour_space: str = "srgb"
+
+    def __post_init__(self) -> None:
+        # A colour space that is not there is told before anything runs.
+        try:
+            colour.matrix(self.colour_space)
+        except MissingExtraError as error:
+            raise ValueError(str(error)) from error
 
     @property
     def title(self) -> str:

@@ -47,11 +47,13 @@ class Hints:
 
     ``mirrored``: radiance is even in y while the peak stands at phi = 0 (checked by sampling before use).
     ``peak_axis``: the parameter that is the zenith angle of the light's peak, in radians.
+    ``peak_zenith``: that angle where it is no parameter.
     ``prefactor``: a closed form that carries most of the weights' change.
     """
 
     mirrored: bool = False
     peak_axis: str | None = None
+    peak_zenith: float | None = None
     prefactor: Prefactor | None = None
 
 

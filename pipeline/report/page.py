@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
+from pipeline.report import skipped
 from pipeline.report.figures import PICTURES
 from pipeline.report.material import Entry, Material
 from pipeline.report.style import percent
@@ -26,6 +27,7 @@ def html(material: Material, pictures: Sequence[str]) -> bytes:
         pictures=[(name, PICTURES[name]) for name in pictures],
         degrees=_degrees(material),
         facts=_facts(material),
+        skipped=skipped.rows(material),
         settings=json.dumps(material.settings, indent=2),
         environment={k: v if isinstance(v, str) else " ".join(v) for k, v in material.environment.items()},
         keys=material.keys,

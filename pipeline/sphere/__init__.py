@@ -1,6 +1,7 @@
 """Spherical harmonics: basis, indices, rotations and windows. Pure numerics."""
 
 from pipeline.sphere._basis import basis, evaluate, legendre
+from pipeline.sphere._convolution import clamped_cosine
 from pipeline.sphere._indexing import check_bands, count, degrees_orders, flat_index, unmirror
 from pipeline.sphere._rotation import rotate_azimuth, rotate_y
 from pipeline.sphere._windows import zonal_sinc
@@ -8,6 +9,7 @@ from pipeline.sphere._windows import zonal_sinc
 __all__ = [
     "basis",
     "check_bands",
+    "clamped_cosine",
     "count",
     "degrees_orders",
     "evaluate",

@@ -18,15 +18,16 @@ Floats = NDArray[np.floating]
 
 @dataclass(frozen=True)
 class ClosedForm:
-    """The prefactor ``name`` of a light, with its ``constants``."""
+    """The prefactor ``name`` of a light, with its ``constants``; ``fixed`` are parameters that are no axes any more."""
 
     name: str
     constants: tuple[float, ...]
+    fixed: tuple[tuple[str, float], ...] = ()
 
     @property
     def numbers(self) -> int:
         """How many numbers an evaluation reads, those written into the code included."""
-        return len(self.constants) + PREFACTORS[self.name].literals
+        return len(self.constants) + len(self.fixed) + PREFACTORS[self.name].literals
 
 
 @dataclass(frozen=True)
@@ -50,6 +51,7 @@ def evaluate(factor: Factor | None, axes: Sequence[Axis], values: Floats) -> Flo
         return np.ones(len(values), dtype=values.dtype)
     if isinstance(factor, ClosedForm):
         named = {axis.name: values[:, i] for i, axis in enumerate(axes)}
+        named |= {name: np.full(len(values), value, dtype=values.dtype) for name, value in factor.fixed}
         return np.asarray(PREFACTORS[factor.name].evaluate(named, factor.constants), dtype=values.dtype)
     out: Floats = np.broadcast_to(factor.coefficients.astype(values.dtype), (len(values), *factor.coefficients.shape))
     for i, axis in enumerate(axes):

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from pipeline import sphere
 from pipeline.fit.errors import Reference, by_band
 from pipeline.table.table import Table
 
@@ -47,6 +48,20 @@ def measure(table: Table, reference: Reference) -> Measured:
         rel_l2=(root / norm).max(axis=0),
         per_set=means[0, :, :, -1].max(axis=1),
     )
+
+
+def least_reconstructed(table: Table, parameters: Array, luminance_row: Array) -> float:
+    """Return the least luminance the table's expansion takes over its largest of the same set, the least over all sets.
+
+    A fraction, below 0 where the expansion rings; directions are an even spiral of 2,000, sets ``(n, axes)``.
+    """
+    k = np.arange(2000) + 0.5
+    z, phi = 1.0 - k / 1000.0, np.pi * (1.0 + 5.0**0.5) * k
+    flat = np.sqrt((1.0 - z) * (1.0 + z))
+    directions = np.stack([flat * np.cos(phi), flat * np.sin(phi), z], axis=-1)
+    basis = sphere.basis(directions, table.bands, mirrored=table.mirrored)
+    luminance = np.einsum("ncw,c->nw", table.evaluate(parameters).astype(np.float64), luminance_row) @ basis.T
+    return float((luminance.min(axis=1) / luminance.max(axis=1)).min())
 
 
 def headline(table: Table, reference: Reference) -> float:

@@ -52,7 +52,8 @@ def arrange(dense: Floats, lengths: Lengths, columns: NDArray[np.int64], width: 
     kept = terms(lengths)
     flat = dense.reshape(*dense.shape[:2], -1)[..., kept]
     rows = np.zeros((kept.size, width), dtype=dtype)
-    rows[:, columns.ravel()] = flat.reshape(-1, kept.size).T.astype(dtype)
+    placed = columns.ravel() >= 0
+    rows[:, columns.ravel()[placed]] = flat.reshape(-1, kept.size).T[:, placed].astype(dtype)
     return Rows(lengths.astype(np.uint8), rows)
 
 

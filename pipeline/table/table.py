@@ -33,7 +33,8 @@ class Table:
 
     ``degrees`` are the largest ones, an axis; ``body`` holds the coefficients, laid out for speed (``Rows``) or for size
     (``Packed``). Weights are those of order m >= 0 where ``mirrored``, else all N*N. ``factor`` multiplies the polynomials.
-    ``provenance`` is JSON-like and says where the table comes from.
+    ``provenance`` is JSON-like and says where the table comes from. ``quantity`` is radiance or irradiance; ``windowed``
+    says that the window of eq. 5 is in the weights; ``azimuth`` is the sun's where it is no input (radians).
     """
 
     axes: tuple[Axis, ...]
@@ -45,6 +46,9 @@ class Table:
     body: Rows | Packed
     factor: Factor | None = None
     provenance: Mapping[str, object] = field(default_factory=dict)
+    quantity: str = "radiance"
+    windowed: bool = False
+    azimuth: float | None = None
 
     @property
     def dtype(self) -> np.dtype[np.floating]:
@@ -64,14 +68,14 @@ class Table:
     @cached_property
     def layout(self) -> Layout:
         """The order of the outputs in a row."""
-        return layout(self.bands, len(self.channels), mirrored=self.mirrored)
+        return layout(self.bands, len(self.channels), mirrored=self.mirrored, degrees=carried(self.quantity, self.bands))
 
     @cached_property
     def coefficients(self) -> int:
         """How many coefficients are kept, padding left out."""
         if isinstance(self.body, Packed):
             return int(np.count_nonzero(packed.unpack(self.body)))
-        return len(self.body.rows) * self.count * len(self.channels)
+        return len(self.body.rows) * sum(place is not None for place in self.layout.places)
 
     @property
     def bytes(self) -> int:
@@ -102,8 +106,9 @@ class Table:
             # The last products of powers may be missing where nothing keeps them.
             places = np.arange(values.shape[2])[:, np.newaxis] * self.rest + np.arange(values.shape[3])
             return places.ravel(), np.ascontiguousarray(flat)
-        columns = self.layout.columns(self.bands, len(self.channels), mirrored=self.mirrored)
-        return rows.terms(self.body.lengths), np.ascontiguousarray(self.body.rows[:, columns.ravel()])
+        columns = self.layout.columns(self.bands, len(self.channels), mirrored=self.mirrored).ravel()
+        matrix = self.body.rows[:, columns] * (columns >= 0)
+        return rows.terms(self.body.lengths), np.ascontiguousarray(matrix.astype(self.dtype))
 
     def evaluate(self, values: Array) -> Floats:
         """Return the stored weights at parameter sets ``(n, axes)``, azimuth 0: ``(n, channels, count)``.
@@ -147,6 +152,30 @@ class Frame:
     mirrored: bool
     basis: str
     factor: Factor | None
+    quantity: str = "radiance"
+    windowed: bool = False
+    azimuth: float | None = None
+
+    def table(self, bands: int, degrees: tuple[int, ...], body: Rows | Packed) -> Table:
+        """Return a table of this frame."""
+        return Table(
+            self.axes,
+            self.channels,
+            bands,
+            self.mirrored,
+            self.basis,
+            degrees,
+            body,
+            self.factor,
+            quantity=self.quantity,
+            windowed=self.windowed,
+            azimuth=self.azimuth,
+        )
+
+
+def carried(quantity: str, bands: int) -> tuple[int, ...]:
+    """Return the degrees l that carry any of ``quantity``: all, or l = 1 and the even ones for diffuse irradiance."""
+    return tuple(l for l in range(bands) if quantity == "radiance" or l == 1 or l % 2 == 0)
 
 
 def fast(frame: Frame, dense: Array, lengths: NDArray[np.integer], bands: int, dtype: str) -> Table:
@@ -159,11 +188,12 @@ def fast(frame: Frame, dense: Array, lengths: NDArray[np.integer], bands: int, d
     count = sphere.count(bands, mirrored=frame.mirrored)
     part = dense[(slice(None), slice(count), *cut)]
     kept = lengths[cut[1:]].ravel() if len(cut) > 1 else lengths.ravel()
-    placed = layout(bands, len(frame.channels), mirrored=frame.mirrored)
+    degrees_ = carried(frame.quantity, bands)
+    placed = layout(bands, len(frame.channels), mirrored=frame.mirrored, degrees=degrees_)
     columns = placed.columns(bands, len(frame.channels), mirrored=frame.mirrored)
     flat = part.reshape(*part.shape[:3], -1)
     body = rows.arrange(flat, kept, columns, len(placed.places), dtype)
-    return Table(frame.axes, frame.channels, bands, frame.mirrored, frame.basis, degrees, body, frame.factor)
+    return frame.table(bands, degrees, body)
 
 
 def whole(frame: Frame, dense: Array, bands: int, dtype: str) -> Table:
@@ -182,7 +212,7 @@ def small(frame: Frame, numbers: NDArray[np.int64], step: float, degrees: Sequen
     cut = numbers.reshape(*numbers.shape[:2], *shape)[(slice(None), slice(None), *(slice(d + 1) for d in used))]
     flat = cut.reshape(*cut.shape[:3], -1)
     body = packed.pack(flat, sphere.degrees_orders(bands, mirrored=frame.mirrored)[0], step)
-    return Table(frame.axes, frame.channels, bands, frame.mirrored, frame.basis, used, body, frame.factor)
+    return frame.table(bands, used, body)
 
 
 def full_weights(table: Table, stored: Floats, bands: int) -> Floats:

@@ -48,7 +48,7 @@ def project(light: Light, parameters: Parameters, *, nodes: int, bands: int, mir
     """
     axis = light.hints.peak_axis
     groups, sets = np.broadcast_shapes(*(values.shape for values in parameters.values()))
-    theta = parameters[axis][:, 0] if axis else np.zeros(groups)
+    theta = parameters[axis][:, 0] if axis else np.full(groups, light.hints.peak_zenith or 0.0)
     step = max(1, _BLOCK // (_floats(nodes, bands, len(light.channels), mirrored=mirrored)[1]))
     shape = (groups, sets, len(light.channels), sphere.count(bands, mirrored=mirrored))
     samples = Samples(np.zeros(shape), np.full(shape[:2], np.inf), np.zeros((*shape[:2], 3)), np.full(shape[:2], np.nan))

@@ -43,6 +43,6 @@ RULES = {
 
 def suited(light: Light, bands: int) -> str:
     """Return the name of the rule for a light's hints: one about its peak, rings for many bands, or the adaptive one."""
-    if light.hints.peak_axis is None:
+    if light.hints.peak_axis is None and light.hints.peak_zenith is None:
         return "adaptive"
     return "sun-centred" if bands < _MANY_BANDS else "rings"

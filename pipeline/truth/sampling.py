@@ -44,7 +44,13 @@ def project_block(job: Job) -> Samples:
     parameters = {name: job.values[:, :1, i] if i == peak else job.values[..., i] for i, name in enumerate(job.names)}
     rule = RULES[job.rule]
     setting = {"nodes": job.nodes} if rule.ladder else {"tolerance": job.tolerance}
-    return rule.project(job.light, parameters, bands=job.bands, mirrored=job.mirrored, **setting)
+    samples = rule.project(job.light, parameters, bands=job.bands, mirrored=job.mirrored, **setting)
+    shape = job.values.shape[:2]
+    if samples.least.shape == shape:
+        return samples
+    # Sets that differ in nothing, since the peak's is the only axis.
+    parts = (samples.weights, samples.least, samples.least_direction, samples.estimate)
+    return Samples(*(np.broadcast_to(part, (*shape, *part.shape[2:])) for part in parts))
 
 
 def sample_block(job: Job) -> Samples:

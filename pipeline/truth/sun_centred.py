@@ -35,7 +35,8 @@ def project(light: Light, parameters: Parameters, *, nodes: int, bands: int, mir
     ``mirrored`` samples half the sky and keeps m >= 0. The README's conventions hold.
     """
     axis = light.hints.peak_axis
-    theta = parameters[axis][:, 0] if axis else np.zeros(next(iter(parameters.values())).shape[0])
+    groups = next(iter(parameters.values())).shape[0]
+    theta = parameters[axis][:, 0] if axis else np.full(groups, light.hints.peak_zenith or 0.0)
     sets = np.broadcast_shapes(*(values.shape for values in parameters.values()))
     shaped = {name: values[..., np.newaxis] for name, values in parameters.items()}
     g, psi, weight = _nodes(theta, nodes)

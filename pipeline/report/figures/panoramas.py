@@ -7,6 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
+from pipeline import sphere
 from pipeline.report import panorama, style
 from pipeline.report.material import Entry, Material
 from pipeline.table.table import full_weights
@@ -41,12 +42,16 @@ def _column(material: Material, panels: list[Axes], title: str, values: np.ndarr
     names = tuple(axis.name for axis in material.axes)
     bands = min(table.bands, material.best.table.bands)
     truth = full_weights(table, material.sample(values), bands)
+    if table.windowed:
+        truth = truth * sphere.zonal_sinc(table.bands)[: bands * bands]
     rebuilt = full_weights(table, table.evaluate(values[np.newaxis])[0], bands)
     sky, true, made = panorama.sky(light, values, names), panorama.expansion(truth), panorama.expansion(rebuilt)
     white = float(np.quantile(sky[: len(sky) // 2] @ light.luminance_row, 0.98))
-    for panel, picture in zip(panels, (sky, true, made), strict=False):
-        panel.imshow(panorama.display(picture, white), extent=panorama.EXTENT, aspect="auto", interpolation="nearest")
-    difference = 100 * ((made - true) @ light.luminance_row) / _scale(material, values)
+    # An even sky's irradiance is pi times its radiance.
+    scale = np.pi if table.quantity == "irradiance" else 1.0
+    for panel, picture, level in zip(panels, (sky, true, made), (white, scale * white, scale * white), strict=False):
+        panel.imshow(panorama.display(picture, level), extent=panorama.EXTENT, aspect="auto", interpolation="nearest")
+    difference = 100 * ((made - true) @ light.luminance_row) / (scale * _scale(material, values))
     reach = max(float(np.abs(difference).max()), 1e-12)
     image = panels[3].imshow(
         difference, extent=panorama.EXTENT, aspect="auto", cmap=style.SIGNED_MAP, vmin=-reach, vmax=reach

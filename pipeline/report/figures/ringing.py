@@ -17,9 +17,11 @@ CAPTION = (
 )
 
 
-def draw(material: Material) -> Figure:
-    """Draw luminance before and after, and a cut through the sun."""
+def draw(material: Material) -> Figure | None:
+    """Draw luminance before and after, and a cut through the sun; None where the weights are windowed or no radiance."""
     table = material.best.table
+    if table.windowed or table.quantity != "radiance":
+        return None
     values = np.array([(axis.low + axis.high) / 2 for axis in material.axes])
     weights = full_weights(table, table.evaluate(values[np.newaxis])[0], table.bands).astype(np.float64)
     row = material.light.luminance_row

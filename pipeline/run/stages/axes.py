@@ -67,9 +67,22 @@ def factor_of(config: Config, inputs: Inputs) -> Factor | None:
     if config.fit.prefactor == "auto":
         return Reciprocal(inputs[VARIABLES]["denominator"])
     hint = config.source.hints.prefactor
-    return ClosedForm(hint.name, hint.constants) if config.fit.prefactor and hint else None
+    if not (config.fit.prefactor and hint):
+        return None
+    fixed = {name: value for name, value in config.scene.fixed.items() if name in hint.axes}
+    return ClosedForm(hint.name, hint.constants, tuple(sorted(fixed.items())))
 
 
 def frame_of(config: Config, inputs: Inputs, *, mirrored: bool) -> Frame:
     """Return what all tables of a run's fit have in common."""
-    return Frame(axes_of(config, inputs), config.source.channels, mirrored, config.fit.basis, factor_of(config, inputs))
+    scene = config.scene
+    return Frame(
+        axes_of(config, inputs),
+        config.source.channels,
+        mirrored,
+        config.fit.basis,
+        factor_of(config, inputs),
+        scene.quantity,
+        scene.window,
+        scene.azimuth,
+    )

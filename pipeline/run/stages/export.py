@@ -48,6 +48,8 @@ def facts_of(config: Config, select: Dataset, name: str) -> dict[str, Any]:
         "e_mean": float(select[f"tables/{name}/e_mean"][0, :, -1].max()),
         "e_max": float(select[f"tables/{name}/e_max"][0, :, -1].max()),
         "l_min": str(select.attrs["conventions"]).split(",")[0],
+        "quantity": table.quantity,
+        "least": float(select[f"tables/{name}/least"]),
     }
 
 
@@ -72,7 +74,15 @@ def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
             "keys": {"select": str(select.attrs["key"])},
         }
         table = dataclasses.replace(table_of(select, name), provenance=provenance)
-        facts = c_header.Facts(config.source.title, row["e_mean"], row["e_max"], row["l_min"], _lines(config, provenance))
+        facts = c_header.Facts(
+            config.source.title,
+            row["e_mean"],
+            row["e_max"],
+            row["l_min"],
+            _lines(config, provenance),
+            least=float(select[f"tables/{name}/least"]),
+            luminance=config.source.luminance_row.tolist(),
+        )
         files[f"{row['path']}/skylight_sh.npz"] = npz.write(table)
         files[f"{row['path']}/skylight_sh.h"] = c_header.write(table, facts, config.export.prefix).encode()
     summary = {"config": settings(config), "recommended": config.export.recommended, "tables": rows}

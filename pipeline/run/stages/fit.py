@@ -18,6 +18,7 @@ from pipeline.fit.sweep import sweep
 from pipeline.run.executors import Advance
 from pipeline.run.plan import Inputs, Step
 from pipeline.run.stages.axes import fit_nodes, frame_of, variables
+from pipeline.run.stages.scene import folded, luminance_scale
 from pipeline.store.dataset import Dataset, Variable
 from pipeline.table import factor as factors
 from pipeline.table.measure import measure
@@ -25,7 +26,16 @@ from pipeline.table.table import Frame, Table, whole
 
 Array = NDArray[np.float64]
 
-_CODE = ("light", "sphere", "fit", "table", "export/npz.py", "run/stages/fit.py", "run/stages/axes.py")
+_CODE = (
+    "light",
+    "sphere",
+    "fit",
+    "table",
+    "export/npz.py",
+    "run/stages/fit.py",
+    "run/stages/axes.py",
+    "run/stages/scene.py",
+)
 
 
 def truth_inputs(config: Config) -> tuple[str, ...]:
@@ -39,6 +49,7 @@ def steps(config: Config) -> list[Step]:
         "axes": [axis.model_dump(mode="json") for axis in config.axes],
         "fit": config.fit.model_dump(mode="json"),
         "light": {**asdict(config.light), "version": config.light.version},
+        "scene": config.scene.model_dump(mode="json"),
     }
     needed = ("truth/grid", *variables(config), *truth_inputs(config))
     return [Step("fit", "", _CODE, needed, parameters, partial(_make, config))]
@@ -55,18 +66,19 @@ def reference_of(config: Config, inputs: Inputs) -> Reference:
             columns = [c.ravel() for c in np.meshgrid(*columns, indexing="ij")]
         parameters.append(np.stack(columns, axis=-1))
     weights = np.concatenate([p["weights"].reshape(-1, *p["weights"].shape[-2:]) for p in parts])
+    scale = luminance_scale(config)
     return Reference(
         parameters=np.concatenate(parameters),
-        weights=weights,
+        weights=folded(config, weights, parts[0]["degree"]),
         degrees=parts[0]["degree"],
-        least=np.concatenate([p["least_luminance"].ravel() for p in parts]),
-        mean=mean_luminance(weights[:, :, 0], config.source.luminance_row),
+        least=scale * np.concatenate([p["least_luminance"].ravel() for p in parts]),
+        mean=scale * mean_luminance(weights[:, :, 0], config.source.luminance_row),
     )
 
 
 def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
     grid = inputs["truth/grid"]
-    samples = grid["weights"]
+    samples = folded(config, grid["weights"], grid["degree"])
     shape, outputs = samples.shape[:-2], samples.shape[-2:]
     mirrored = bool(grid.attrs["mirrored"])
     frame = frame_of(config, inputs, mirrored=mirrored)

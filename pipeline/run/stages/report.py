@@ -19,12 +19,24 @@ from pipeline.run.provenance import environment, settings
 from pipeline.run.stages import origins
 from pipeline.run.stages.axes import axes_of, variables
 from pipeline.run.stages.files import to_dataset
+from pipeline.run.stages.scene import folded
 from pipeline.store.dataset import Dataset
 from pipeline.truth import sampling
 
 Array = NDArray[np.float64]
 
-_CODE = ("report", "light", "sphere", "fit", "table", "truth", "export/npz.py", "run/stages/report.py")
+_CODE = (
+    "report",
+    "light",
+    "sphere",
+    "fit",
+    "table",
+    "truth",
+    "export/npz.py",
+    "run/stages/report.py",
+    "run/stages/scene.py",
+    "run/stages/axes.py",
+)
 _INPUTS = ("truth/rule", "truth/verification", "fit", "select")
 
 
@@ -64,7 +76,8 @@ def _material(config: Config, inputs: Inputs) -> Material:
         rule_, tolerance = str(rule.attrs["rule"]), config.truth.tolerance
         block, bands = values.reshape(1, 1, -1), config.truth.bands
         job = sampling.Job(config.source, names, block, nodes, bands, mirrored, rule_, tolerance)
-        return np.asarray(sampling.project_block(job).weights[0, 0])
+        weights = np.asarray(sampling.project_block(job).weights[0, 0])
+        return folded(config, weights, grid["degree"])
 
     return Material(
         name=config.name,

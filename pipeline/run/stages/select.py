@@ -21,11 +21,12 @@ from pipeline.run.executors import Advance, map_tasks
 from pipeline.run.plan import Inputs, Step
 from pipeline.run.stages.axes import fit_nodes, frame_of, variables
 from pipeline.run.stages.fit import reference_of, truth_inputs
+from pipeline.run.stages.scene import folded, luminance_scale, window
 from pipeline.store.dataset import Dataset, Variable
 from pipeline.table import factor as factors
 from pipeline.table import packed
 from pipeline.table import table as tables
-from pipeline.table.measure import headline, measure
+from pipeline.table.measure import headline, least_reconstructed, measure
 from pipeline.table.table import Frame, Table
 
 Array = NDArray[np.float64]
@@ -33,10 +34,15 @@ Array = NDArray[np.float64]
 Point = tuple[float, float]
 Result = tuple[Wanted, Table, list[Point]]
 
-_CODE = ("light", "sphere", "fit", "table", "export/npz.py", "config/names.py", "run/stages/select.py", "run/stages/fit.py")
+_PARTS = ("select", "fit", "axes", "scene")
+_CODE = ("light", "sphere", "fit", "table", "export/npz.py", "config/names.py", *(f"run/stages/{p}.py" for p in _PARTS))
 # How often a table that float32 carries over its budget is sought again, with a budget how much below proportion.
 _RETRIES = 4
 _SHRINK = 0.995
+# Sets at which the least reconstructed luminance is sought.
+_LEAST_SETS = 150
+# Budgets tried for a size: the last two differ by a few per cent.
+_SIZE_STEPS = 9
 # Searches start from degrees whose whole fit errs this much less than the budget.
 _HEADROOM = 10.0
 # A fast table may err this much more than the packed one of the same budget.
@@ -60,6 +66,17 @@ class _Material:
     reference: Reference
     swept: NDArray[np.int64]
     swept_error: Array
+    window: Callable[[int, NDArray[np.int64], NDArray[np.int64]], Array]
+
+    def windowed(self, bands: int) -> Array:
+        """Return what a table of ``bands`` bands multiplies its weights with, ``(count,)``."""
+        return self.window(bands, *sphere.degrees_orders(bands, mirrored=self.frame.mirrored))
+
+    def reference_of(self, bands: int) -> Reference:
+        """Return what a table of ``bands`` bands is measured against."""
+        use = self.reference.first_bands(bands)
+        weights = self.reference.weights[..., use] * self.windowed(bands)
+        return replace(self.reference, weights=weights, degrees=self.reference.degrees[use])
 
     def enough(self, bands: int, budget: float) -> tuple[int, ...]:
         """Return the fewest degrees whose whole fit stays well within ``budget``, by the sweep; all where none does."""
@@ -81,11 +98,12 @@ def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
     material = _gather(config, inputs)
     reference = material.reference
     asked = wanted(config)
-    made = {table.name: _given(table, material, inputs["fit"]) for table in asked if table.budget is None}
+    made = {table.name: _given(table, material, inputs["fit"]) for table in asked if table.winner.degrees is not None}
     groups: dict[tuple[int, str, float], list[Wanted]] = {}
     for table in asked:
-        if table.budget is not None:
-            groups.setdefault((table.winner.bands, table.winner.dtype, table.budget), []).append(table)
+        if table.winner.degrees is None:
+            limit = table.budget or float(table.size or 0)
+            groups.setdefault((table.winner.bands, table.winner.dtype, limit), []).append(table)
     run = config.run
     # The hardest first, so that no worker waits long for the other's last one.
     jobs = [partial(_searched, group, material) for _, group in sorted(groups.items(), key=lambda g: (-g[0][0], g[0][2]))]
@@ -96,7 +114,10 @@ def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
         fronts.setdefault((table.winner.bands, table.layout), []).extend(tried)
     found: dict[str, Variable] = {"parameters": Variable(("set", "axis"), reference.parameters)}
     for table in asked:
-        found |= _measured(table.name, made[table.name], reference)
+        found |= _measured(table.name, made[table.name], material.reference_of(table.winner.bands))
+        some = reference.parameters[:: max(1, len(reference.parameters) // _LEAST_SETS)]
+        least = least_reconstructed(made[table.name], some, config.source.luminance_row)
+        found[f"tables/{table.name}/least"] = Variable((), np.array(least))
     for (bands, layout), points in sorted(fronts.items()):
         found[f"fronts/{bands}-{layout}"] = Variable(("point", "bytes_error"), np.array(_front(points)))
     return Dataset(found, {"conventions": ",".join(reference.l_min)})
@@ -110,9 +131,12 @@ def _searched(group: Sequence[Wanted], material: _Material) -> list[Result]:
     """Search the tables of one budget: the packed one first, whose error then bounds the fast one's."""
     found: list[Result] = []
     for table in sorted(group, key=lambda w: w.layout != "packed"):
+        if table.size is not None:
+            found.append((table, *_within(table, table.size, material)))
+            continue
         budget = table.budget or 0.0
         if found:
-            budget = min(budget, _BESIDE_PACKED * headline(found[0][1], material.reference))
+            budget = min(budget, _BESIDE_PACKED * headline(found[0][1], material.reference_of(table.winner.bands)))
         found.append((table, *_cheapest(table, budget, material)))
     return found
 
@@ -137,22 +161,24 @@ def _gather(config: Config, inputs: Inputs) -> _Material:
     shape = tuple(n.size for n in nodes)
     reference = reference_of(config, inputs)
     convention = next(iter(reference.l_min))
-    weights = grid["weights"].reshape(-1, *grid["weights"].shape[-2:])
-    least = (
-        grid["least_luminance"].ravel()
-        if convention == "per-set"
-        else mean_luminance(weights[:, :, 0], config.source.luminance_row)
-    )
+    radiance = grid["weights"].reshape(-1, *grid["weights"].shape[-2:])
+    weights, scale = folded(config, radiance, grid["degree"]), luminance_scale(config)
+    least = grid["least_luminance"].ravel()
+    if convention != "per-set":
+        least = mean_luminance(radiance[:, :, 0], config.source.luminance_row)
     sets = np.stack([c.ravel() for c in np.meshgrid(*nodes, indexing="ij")], axis=-1)
     degrees = tuple(axis.degrees[1] for axis in config.axes)
     swept, errors = inputs["fit"]["sweep/degrees"], inputs["fit"]["sweep/e_mean"][0]
-    return _Material(frame, sets, weights, least, shape, degrees, reference, swept, errors)
+    return _Material(frame, sets, weights, scale * least, shape, degrees, reference, swept, errors, partial(window, config))
 
 
 def _given(table: Wanted, material: _Material, fit: Dataset) -> Table:
     degrees = table.winner.degrees or ()
     cut = fit["coefficients"][(slice(None), slice(None), *(slice(d + 1) for d in degrees))]
-    return tables.whole(material.frame, cut, table.winner.bands, table.winner.dtype)
+    bands = table.winner.bands
+    count = sphere.count(bands, mirrored=material.frame.mirrored)
+    cut = cut[:, :count] * material.windowed(bands).reshape(-1, *(1,) * (cut.ndim - 2))
+    return tables.whole(material.frame, cut, bands, table.winner.dtype)
 
 
 def _cheapest(wanted_: Wanted, budget: float, material: _Material) -> tuple[Table, list[Point]]:
@@ -166,7 +192,7 @@ def _cheapest(wanted_: Wanted, budget: float, material: _Material) -> tuple[Tabl
         if table is None:
             reached = min((error for _, error in tried), default=np.inf)
             break
-        reached = headline(table, material.reference)
+        reached = headline(table, material.reference_of(wanted_.winner.bands))
         if reached <= budget:
             return table, front
         aim *= _SHRINK * budget / reached
@@ -176,12 +202,38 @@ def _cheapest(wanted_: Wanted, budget: float, material: _Material) -> tuple[Tabl
     )
 
 
+def _within(wanted_: Wanted, size: int, material: _Material) -> tuple[Table, list[Point]]:
+    """Search the least error that ``size`` bytes allow, by bisecting the budget."""
+    low, high = float(np.log(1e-7)), float(np.log(0.5))
+    front: list[Point] = []
+    best: Table | None = None
+    for _ in range(_SIZE_STEPS):
+        middle = (low + high) / 2
+        try:
+            table, tried = _cheapest(wanted_, float(np.exp(middle)), material)
+        except BudgetError:
+            low = middle
+            continue
+        front += tried
+        if table.bytes <= size:
+            best, high = table, middle
+        else:
+            low = middle
+    if best is None:
+        raise BudgetError(
+            f"No table of {wanted_.winner.bands} bands fits winners.sizes = {size} bytes with an E_mean below 50 %. "
+            "Raise the size, or lower the bands."
+        )
+    return best, front
+
+
 def _sampled(material: _Material, sets: Array, weights: Array, least: Array, bands: int) -> Sampled:
     frame = material.frame
     count = sphere.count(bands, mirrored=frame.mirrored)
     scale = np.asarray(factors.evaluate(frame.factor, frame.axes, sets), dtype=np.float64) / least
     basis = np.asarray(tables.products(frame.basis, frame.axes, sets, material.degrees), dtype=np.float64)
-    return Sampled(basis * scale[:, np.newaxis], weights[..., :count] / least[:, np.newaxis, np.newaxis])
+    truth = weights[..., :count] * material.windowed(bands)
+    return Sampled(basis * scale[:, np.newaxis], truth / least[:, np.newaxis, np.newaxis])
 
 
 def _both(material: _Material, bands: int) -> tuple[Sampled, Sampled]:

@@ -48,6 +48,8 @@ def steps(config: Config) -> list[Step]:
         "orders": config.truth.orders,
         "rule": config.truth.rule,
         "hints": config.truth.hints,
+        # Of the scene only what the light itself loses by it.
+        "scene": {"fixed": config.scene.fixed, "channels": config.scene.channels},
     }
     spacing = {axis.name: (axis.nodes, axis.spacing, axis.map, axis.point) for axis in config.axes}
     rule = Step("truth", "rule", _CODE, (), common, partial(_make_rule, config))

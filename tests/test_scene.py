@@ -1,0 +1,238 @@
+"""Scene profiles: what is folded in equals what would have been done at run time, and what is excluded is not computed."""
+
+from __future__ import annotations
+
+import math
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+from conftest import SMALL, run_quietly
+from numpy.typing import NDArray
+from test_export import STRICT
+
+from pipeline import runtime, sphere
+from pipeline.config import Config, ConfigError, load
+from pipeline.config.sun import zenith_range
+from pipeline.run.runner import Result
+from pipeline.store.store import Store
+
+Array = NDArray[np.float64]
+TEXT = SMALL.read_text(encoding="utf-8").replace('layouts = ["rows", "packed"]\n', "").replace("[0.05, 0.01]", "[0.01]")
+SUNS = np.array([[0.1, 0.3, 2.6], [0.9, -2.0, 4.0], [1.5, 5.0, 5.9]])
+
+
+def config_of(tmp_path: Path, scene: str, *edits: tuple[str, str]) -> Config:
+    text = TEXT
+    for old, new in edits:
+        assert old in text
+        text = text.replace(old, new)
+    path = tmp_path / "scene.toml"
+    path.write_text(text + f"\n[scene]\n{scene}\n", encoding="utf-8")
+    return load(path)
+
+
+def loaded(result: Result) -> runtime.Runtime:
+    return runtime.load(result.folder / "export" / "skylight_sh.npz")
+
+
+def close(got: Array, expected: Array, share: float = 0.002) -> None:
+    assert np.abs(got - expected).max() < share * np.abs(expected).max()
+
+
+@pytest.fixture(scope="module")
+def plain(tmp_path_factory: pytest.TempPathFactory) -> runtime.Runtime:
+    place = tmp_path_factory.mktemp("plain")
+    (place / "plain.toml").write_text(TEXT, encoding="utf-8")
+    return loaded(run_quietly(load(place / "plain.toml"), place))
+
+
+@pytest.mark.parametrize("bands", [4, 2])
+def test_irradiance_is_the_clamped_cosine_of_radiance(tmp_path: Path, plain: runtime.Runtime, bands: int) -> None:
+    folded = loaded(run_quietly(config_of(tmp_path, 'quantity = "irradiance"'), tmp_path))
+    degrees, _ = sphere.degrees_orders(bands)
+    got, radiance = folded.weights(*SUNS.T, bands=bands), plain.weights(*SUNS.T, bands=bands)
+    close(got, radiance * sphere.clamped_cosine(bands)[degrees])
+    # l = 3 carries nothing and has no columns.
+    assert not got[..., degrees == 3].any()
+    assert {place[0] for place in folded.table.layout.places if place} == {0, 1, 2}
+
+
+def test_clamped_cosine_equals_its_integral() -> None:
+    x, w = np.polynomial.legendre.leggauss(60)
+    z = (x + 1) / 2
+    for l, factor in enumerate(sphere.clamped_cosine(24)):
+        legendre = np.polynomial.legendre.legval(z, np.eye(l + 1)[l])
+        # 2 pi times the integral of max(z, 0) P_l(z).
+        assert factor == pytest.approx(2 * math.pi * float(np.sum(w / 2 * z * legendre)), abs=1e-13)
+
+
+def test_window_is_folded_and_follows_the_bands(tmp_path: Path, plain: runtime.Runtime) -> None:
+    result = run_quietly(config_of(tmp_path, "window = true"), tmp_path)
+    folded = loaded(result)
+    for bands in (4, 3):
+        close(folded.weights(*SUNS.T, bands=bands), plain.weights(*SUNS.T, bands=bands, window=True))
+    with pytest.raises(ValueError, match="already"):
+        folded.weights(*SUNS.T, window=True)
+    assert "_window(int bands" not in (result.folder / "export" / "skylight_sh.h").read_text(encoding="utf-8")
+
+
+def test_a_fixed_azimuth_is_no_input(tmp_path: Path, plain: runtime.Runtime) -> None:
+    folded = loaded(run_quietly(config_of(tmp_path, "azimuth = 0.7"), tmp_path))
+    assert folded.inputs == ("sun_zenith", "turbidity")
+    close(folded.weights(SUNS[:, 0], SUNS[:, 2]), plain.weights(SUNS[:, 0], 0.7, SUNS[:, 2]))
+
+
+def test_luminance_is_the_colours_luminance(tmp_path: Path, plain: runtime.Runtime) -> None:
+    config = config_of(tmp_path, 'channels = "luminance"')
+    result = run_quietly(config, tmp_path)
+    row = config.light.luminance_row
+    close(loaded(result).weights(*SUNS.T)[:, 0], np.einsum("c,ncw->nw", row, plain.weights(*SUNS.T)))
+    store = Store(tmp_path / "artifacts")
+    shapes = {
+        store.get(e.stage, e.key)["weights"].shape[-2] for e in store.entries() if e.stage == "truth" and e.size > 9000
+    }
+    assert shapes == {1}
+
+
+WITHOUT_TURBIDITY = (
+    TEXT[TEXT.index('[[axes]]\nname = "turbidity"') : TEXT.index("[truth]")],
+    "",
+)
+ONE_DEGREE = [
+    ("degrees = [5, 3]", "degrees = [5]"),
+    ("degrees = [6, 4]", "degrees = [6]"),
+    ("at = { sun_zenith = 1.5, turbidity = 6.0 }", "at = { sun_zenith = 1.5 }"),
+]
+
+
+def test_fixed_weather_leaves_a_polynomial_in_the_sun_alone(tmp_path: Path, plain: runtime.Runtime) -> None:
+    config = config_of(tmp_path, "fixed = { turbidity = 4.0 }", WITHOUT_TURBIDITY, *ONE_DEGREE)
+    folded = loaded(run_quietly(config, tmp_path))
+    assert folded.inputs == ("sun_zenith", "sun_azimuth")
+    close(folded.weights(SUNS[:, 0], SUNS[:, 1]), plain.weights(SUNS[:, 0], SUNS[:, 1], 4.0))
+
+
+def test_a_sun_that_never_moves_is_a_constant_table(tmp_path: Path, plain: runtime.Runtime) -> None:
+    still = [
+        ("range = [0.0, 1.5707963267948966]", "range = [0.8, 0.8]"),
+        (
+            'map = "reciprocal"\npoint = 5.0\nnodes = 12\nverification = 37\ndegrees = [3, 9]',
+            "nodes = 1\nverification = 1\ndegrees = [0, 0]",
+        ),
+        ("degrees = [5, 3]", "degrees = [0]"),
+        ("degrees = [6, 4]", "degrees = [0]"),
+        ("at = { sun_zenith = 1.5, turbidity = 6.0 }", "at = { sun_zenith = 0.8 }"),
+    ]
+    config = config_of(tmp_path, "fixed = { turbidity = 4.0 }", WITHOUT_TURBIDITY, *still)
+    folded = loaded(run_quietly(config, tmp_path))
+    assert folded.table.degrees == (0,)
+    weights, status = folded.weights_and_status(0.8, 0.3)
+    assert status == 0
+    close(weights, plain.weights(0.8, 0.3, 4.0))
+
+
+def test_sizes_ask_for_the_least_error_within_bytes(tmp_path: Path) -> None:
+    edits = [("budgets = [0.01]", 'sizes = [700]\nlayouts = ["packed"]'), ("4-bands-1pct", "4-bands-700-bytes-packed")]
+    result = run_quietly(config_of(tmp_path, "", *edits), tmp_path)
+    row = next(r for r in result.summary["tables"] if r["name"] == "4-bands-700-bytes-packed")
+    assert 500 < row["bytes"] <= 700
+    assert row["e_mean"] < 0.05
+
+
+def test_the_sun_of_a_place_and_time() -> None:
+    # Oslo at the winter solstice: 90 - (90 - 59.9) + 23.44 degrees at noon; the equinox sun reaches the equator's zenith.
+    low, high = zenith_range(59.9, "2026-12-21", "2026-12-21")
+    assert math.degrees(low) == pytest.approx(59.9 + 23.44 - 0.6, abs=0.1)
+    assert high == math.pi / 2
+    assert zenith_range(0.0, "2027-03-18", "2027-03-23")[0] == 0.0
+    # Beyond the polar circle in June the sun stays up.
+    assert zenith_range(80.0, "2027-06-21", "2027-06-21")[1] < math.pi / 2
+
+
+@pytest.mark.parametrize(
+    ("scene", "message"),
+    [
+        ("fixed = { haze = 3.0 }", r"\$\.scene\.fixed\.haze = 3\.0.*no such parameter"),
+        ("fixed = { turbidity = 30.0 }", r"\$\.scene\.fixed\.turbidity = 30\.0.*Stay within"),
+        ("fixed = { turbidity = 3.0 }", r"\$\.scene\.fixed\.turbidity = 3\.0.*no axis"),
+        ('sun = { latitude = 95.0, dates = ["2026-12-01", "2026-12-02"] }', r"latitude = 95"),
+        ('sun = { latitude = 60.0, dates = ["2026-12-09", "2026-12-02"] }', r"\$\.scene\.sun.*first not after the second"),
+        ('sun = { latitude = 85.0, dates = ["2026-12-01", "2026-12-02"] }', r"does not rise"),
+        ('sun = { latitude = 60.0, dates = ["December", "2026-12-02"] }', r"\$\.scene\.sun"),
+        ('quantity = "illuminance"', r"\$\.scene\.quantity = 'illuminance'"),
+    ],
+)
+def test_a_scene_that_cannot_be_is_refused(tmp_path: Path, scene: str, message: str) -> None:
+    with pytest.raises(ConfigError, match=message):
+        config_of(tmp_path, scene)
+
+
+PROGRAM = """
+#include <stdio.h>
+#include "{folder}/skylight_sh.h"
+#define SUNS 64
+int main(void)
+{{
+    static float w[SKYLIGHT_SH_CHANNELS][SKYLIGHT_SH_WEIGHTS];
+    static float g[SKYLIGHT_SH_AXES][SKYLIGHT_SH_CHANNELS][SKYLIGHT_SH_WEIGHTS];
+    static float batch[SUNS][SKYLIGHT_SH_CHANNELS][SKYLIGHT_SH_WEIGHTS], zenith[SUNS], azimuth[SUNS], turbidity[SUNS];
+    float direction[3];
+    int i, c, k;
+    double worst = 0.0, largest = 0.0;
+    skylight_sh_weights_gradient(0.9f, 0.4f, 3.3f, w, g);
+    for (i = 0; i < SKYLIGHT_SH_AXES; ++i)
+        for (c = 0; c < SKYLIGHT_SH_CHANNELS; ++c)
+            for (k = 0; k < SKYLIGHT_SH_WEIGHTS; ++k) printf("%.9g\\n", (double)g[i][c][k]);
+    for (i = 0; i < SUNS; ++i) {{
+        zenith[i] = 0.02f * (float)i;
+        azimuth[i] = 0.1f * (float)i;
+        turbidity[i] = i < 40 ? 3.0f : 3.0f + 0.01f * (float)i;
+    }}
+    skylight_sh_weights_batch(SUNS, zenith, azimuth, turbidity, batch);
+    for (i = 0; i < SUNS; ++i) {{
+        skylight_sh_weights(zenith[i], azimuth[i], turbidity[i], w);
+        for (c = 0; c < SKYLIGHT_SH_CHANNELS; ++c)
+            for (k = 0; k < SKYLIGHT_SH_WEIGHTS; ++k) {{
+                const double d = fabs((double)w[c][k] - (double)batch[i][c][k]), v = fabs((double)w[c][k]);
+                worst = d > worst ? d : worst;
+                largest = v > largest ? v : largest;
+            }}
+    }}
+    printf("%.9g\\n", worst / largest);
+    skylight_sh_weights(0.9f, 0.4f, 3.3f, w);
+    skylight_sh_dominant(w, direction);
+    for (i = 0; i < 3; ++i) printf("%.9g\\n", (double)direction[i]);
+    return 0;
+}}
+"""
+
+
+@pytest.mark.parametrize("name", ["4-bands-1pct", "4-bands-1pct-packed", "3-bands-degrees-6-4-float64"])
+def test_gradient_batch_and_dominant_direction(small_run: Result, tmp_path: Path, name: str) -> None:
+    folder = small_run.folder / next(row["path"] for row in small_run.summary["tables"] if row["name"] == name)
+    table = runtime.load(folder / "skylight_sh.npz")
+    (tmp_path / "g.c").write_text(PROGRAM.format(folder=folder), encoding="utf-8")
+    subprocess.run(["gcc", "-std=c99", *STRICT, str(tmp_path / "g.c"), "-o", str(tmp_path / "g"), "-lm"], check=True)
+    out = subprocess.run([str(tmp_path / "g")], capture_output=True, text=True, check=True).stdout
+    *gradient, batch, x, y, z = [float(v) for v in out.split()]
+    assert batch < 2e-6
+    at = np.array([0.9, 0.4, 3.3])
+    # Central differences of a table in single precision are rough: wide steps, and their next term taken away.
+    expected = []
+    for i in (0, 2):
+        step = np.zeros(3)
+        step[i] = 0.04
+        one, two = (
+            (table.weights(*(at + k * step)).astype(np.float64) - table.weights(*(at - k * step))) / (0.08 * k)
+            for k in (1, 2)
+        )
+        expected.append((4 * one - two) / 3)
+    found = np.array(gradient).reshape(2, *expected[0].shape)
+    for got, wanted in zip(found, expected, strict=True):
+        assert np.abs(got - wanted).max() < 2e-3 * np.abs(wanted).max()
+    # The sun's side of the sky is the bright one.
+    assert math.atan2(y, x) == pytest.approx(0.4, abs=1e-5)
+    assert math.hypot(x, y, z) == pytest.approx(1.0, abs=1e-6)
+    assert z > 0.3
