@@ -36,6 +36,10 @@ class _Group(click.Group):
     def invoke(self, ctx: click.Context) -> Any:
         try:
             return super().invoke(ctx)
+        except BrokenPipeError:
+            # Whoever read the output has seen enough.
+            sys.stdout = None
+            ctx.exit(0)
         except (BadInputError, OSError) as error:
             click.echo(f"Error: {error}", err=True)
             ctx.exit(2 if isinstance(error, BadInputError) else 1)
@@ -104,7 +108,7 @@ def run(config: Path, executor: str | None, workers: int | None, store: Path, re
 )
 @click.option("--sun-zenith", type=float, help="Short for --at sun_zenith=VALUE.")
 @click.option("--turbidity", type=float, help="Short for --at turbidity=VALUE.")
-@click.option("--sun-azimuth", type=float, default=0.0, show_default=True, help="Radians from +x towards +y.")
+@click.option("--sun-azimuth", type=float, help="Radians from +x towards +y; 0 if it is not given.")
 @click.option("--bands", type=click.IntRange(1), help="Fewer bands than the table has.")
 @click.option("--window", is_flag=True, help="Apply the zonal window of the paper's eq. 5.")
 @click.option("--json", "as_json", is_flag=True, help="Print JSON instead of a table.")
@@ -113,7 +117,7 @@ def evaluate(
     given: tuple[str, ...],
     sun_zenith: float | None,
     turbidity: float | None,
-    sun_azimuth: float,
+    sun_azimuth: float | None,
     bands: int | None,
     window: bool,
     as_json: bool,
@@ -128,10 +132,14 @@ def evaluate(
         loaded = runtime.load(table)
     except ValueError as error:
         raise BadInputError(str(error)) from error
-    values = {**_assignments(given), "sun_azimuth": sun_azimuth}
-    for name, value in (("sun_zenith", sun_zenith), ("turbidity", turbidity)):
+    values = _assignments(given)
+    for name, value in (("sun_zenith", sun_zenith), ("turbidity", turbidity), ("sun_azimuth", sun_azimuth)):
+        if value is not None and name in values:
+            raise BadInputError(f"{name} is given twice. Leave one of --at {name} and --{name.replace('_', '-')}.")
         if value is not None:
             values[name] = value
+    if "sun_azimuth" in loaded.inputs:
+        values.setdefault("sun_azimuth", 0.0)
     needed = set(loaded.inputs)
     if set(values) != needed:
         missing, unknown = sorted(needed - set(values)), sorted(set(values) - needed)
@@ -295,6 +303,8 @@ def _assignments(given: tuple[str, ...]) -> dict[str, float]:
             values[name] = float(value)
         except ValueError:
             separator = ""
+        if given.count(text) > 1 or sum(other.partition("=")[0] == name for other in given) > 1:
+            raise BadInputError(f"--at {name} is given twice. Leave one of them.")
         if not separator:
             raise BadInputError(f"--at {text!r} is no NAME=VALUE with a number. Write for example --at turbidity=3.")
     return values

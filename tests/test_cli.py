@@ -56,9 +56,22 @@ def test_evaluate_prints_what_the_runtime_gives(small_run: Result) -> None:
     assert len(lines) == 5
 
 
+def test_evaluate_takes_every_input_by_name(small_run: Result) -> None:
+    table = str(small_run.folder / "export" / "skylight_sh.npz")
+    place = ("--sun-zenith", "0.8", "--turbidity", "3", "--json")
+    one, other = (
+        invoke("evaluate", table, *place, "--at", "sun_azimuth=0.5"),
+        invoke("evaluate", table, *place, "--sun-azimuth", "0.5"),
+    )
+    assert one == other
+    assert turned != invoke("evaluate", table, *place)
+
+
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
+        (("--sun-zenith", "1", "--at", "turbidity=3", "--at", "turbidity=4"), "turbidity is given twice"),
+        (("--sun-zenith", "1", "--at", "turbidity=3", "--turbidity", "4"), "turbidity is given twice"),
         (("--sun-zenith", "1"), "--at turbidity=VALUE is missing"),
         (("--sun-zenith", "1", "--turbidity", "3", "--at", "albedo=1"), "albedo is no axis"),
         (("--at", "sun_zenith=1", "--at", "turbidity=dust"), "NAME=VALUE"),

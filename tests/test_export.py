@@ -169,6 +169,7 @@ int main(void) {{
     ("axes", "mirrored", "basis", "dtype", "layout"),
     [
         (1, True, "chebyshev", "float32", "rows"),
+        (1, True, "monomial", "float64", "rows"),
         (2, False, "legendre", "float32", "rows"),
         (3, True, "fourier", "float64", "rows"),
         (3, False, "monomial", "float32", "rows"),
@@ -202,6 +203,17 @@ def test_tables_over_any_axes_reach_c(
     got, _ = call(driver, inputs, 0, (2, 9))
     expected = loaded.weights(*inputs.T)
     assert np.abs(got - expected).max() < 2e-6 * np.abs(expected).max()
+
+
+@pytest.mark.parametrize("language", COMPILERS)
+def test_one_band_compiles(tmp_path: Path, language: str) -> None:
+    frame = Frame((Axis("sun_zenith", 0.0, 1.0),), ("one",), True, "chebyshev", None)
+    table = fast(frame, np.ones((1, 1, 3)), np.array(3), 1, "float32")
+    (tmp_path / "skylight_sh.h").write_text(c_header.write(table, FACTS, "other_sh"), encoding="utf-8")
+    driver = compiled(tmp_path, tmp_path, 2, COMPILERS[language], STRICT, "other_sh")
+    got, status = call(driver, np.array([[1.0, 0.3]], dtype=np.float32), 0, (1, 1))
+    assert got[0, 0, 0] == pytest.approx(3.0)
+    assert status == 0
 
 
 def test_two_tables_meet_in_one_program(small_run: Result, tmp_path: Path) -> None:

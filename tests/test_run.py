@@ -81,6 +81,20 @@ def test_a_change_remakes_only_what_depends_on_it(tmp_path: Path, edit: tuple[st
     assert {stage for stage in before if before[stage] != after[stage]} == remade
 
 
+def test_the_order_of_the_axes_is_part_of_every_truth_key(tmp_path: Path) -> None:
+    text = SMALL.read_text(encoding="utf-8")
+    first, second, end = (text.index(mark) for mark in ("[[axes]]", '[[axes]]\nname = "turbidity"', "[truth]"))
+    swapped = text[:first] + text[second:end] + text[first:second] + text[end:]
+    for old, new in (("degrees = [5, 3]", "degrees = [3, 5]"), ("degrees = [6, 4]", "degrees = [4, 6]")):
+        swapped = swapped.replace(old, new)
+    (tmp_path / "swapped.toml").write_text(swapped, encoding="utf-8")
+    one = run_quietly(load(SMALL), tmp_path)
+    before = [row["e_mean"] for row in one.summary["tables"]]
+    other = run_quietly(load(tmp_path / "swapped.toml"), tmp_path)
+    # The same fit, selected along the other axis first: its whole table errs alike.
+    assert other.summary["tables"][-1]["e_mean"] == pytest.approx(before[-1], rel=1e-6)
+
+
 def test_another_seed_redraws_the_random_sets_alone(tmp_path: Path) -> None:
     before, after = (plan.keys(steps(c)) for c in (load(SMALL), edited(tmp_path, ("random = 40", "random = 40\nseed = 9"))))
     assert {name for name in before if name.startswith("truth") and before[name] != after[name]} == {"truth/random"}

@@ -7,6 +7,7 @@ import subprocess
 import tempfile
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from itertools import chain, islice, repeat
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -154,7 +155,7 @@ def _lookups(samples: Samples) -> dict[str, Candidate]:
     whole = trial.fit(samples, samples.half, degrees, "chebyshev", "svd", trial.OWN)
     found = {}
     for fineness in (1, 2, 4):
-        sizes = [max(4, fineness * n) for n in (16, 6, 3, 3)[: len(config.axes)]]
+        sizes = [max(4, fineness * n) for n in list(islice(chain((16, 6), repeat(3)), len(config.axes)))]
         nodes = [np.linspace(*axis.range, n) for axis, n in zip(config.axes, sizes, strict=True)]
         sets = np.stack([c.ravel() for c in np.meshgrid(*nodes, indexing="ij")], axis=-1)
         values = np.asarray(trial.table_of(samples, whole, "float64").evaluate(sets), dtype=np.float64)

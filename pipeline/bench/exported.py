@@ -16,4 +16,9 @@ def exported(folder: Path) -> tuple[dict[str, Table], dict[str, float]]:
         raise OSError(f"{folder} holds no summary.json. Run `make fit` with the same config first.")
     rows = json.loads(summary.read_text(encoding="utf-8"))["tables"]
     tables = {row["name"]: npz.read(folder / row["path"] / "skylight_sh.npz") for row in rows}
+    if not all(table.mirrored for table in tables.values()):
+        raise OSError(
+            f"{folder} holds tables of all orders; benchmarks and stresses are for mirror-symmetric lights and "
+            'truth.orders = "auto". Give such a config.'
+        )
     return tables, {row["name"]: row["e_mean"] for row in rows}

@@ -82,9 +82,11 @@ def _peak() -> float:
 
 def _jobs(light: Any, ranges: dict[str, tuple[float, float]], sets: int, bands: int, nodes: int) -> list[sampling.Job]:
     # A grid: a hundred values of the first axis at most, so that sets share nodes as the stage's do.
-    first = min(100, max(1, round(sets**0.5)))
-    counts = [first, *[max(1, round((sets / first) ** (1 / max(1, len(ranges) - 1))))] * (len(ranges) - 1)]
-    drawn = parameter_sets.grid([np.linspace(*r, n) for r, n in zip(ranges.values(), counts, strict=True)])
+    first = sets if len(ranges) == 1 else min(100, max(1, round(sets**0.5)))
+    others = len(ranges) - 1
+    each = round((sets / first) ** (1 / others)) + 1 if others else 1
+    counts = [first, *[each] * others]
+    drawn = parameter_sets.grid([np.linspace(*r, n) for r, n in zip(ranges.values(), counts, strict=True)])[:sets]
     names, rule = tuple(ranges), suited(light, bands)
     blocks = parameter_sets.chunks(drawn, sampling.peak_of(light, names), 64)
     return [sampling.Job(light, names, drawn[block], nodes, bands, True, rule, _TOLERANCE) for block in blocks]

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from threadpoolctl import threadpool_limits
 
-from pipeline.bench import evaluation, fits, growth, page, rules
+from pipeline.bench import batch, evaluation, fits, growth, page, rules
 from pipeline.bench.exported import exported
 from pipeline.bench.samples import sample
 from pipeline.config.schema import Config
@@ -17,7 +17,7 @@ LEAD = (
     "Error against time, measured in one run on one thread: medians after a warm-up, candidates timed in turn, so that "
     "ratios hold on a noisy machine where seconds do not. Errors are fractions."
 )
-_COUNT = 4
+_COUNT = 5
 
 
 def run(config: Config, reports: Path, repeats: int, advance: Callable[[int, int], None]) -> str:
@@ -33,8 +33,9 @@ def run(config: Config, reports: Path, repeats: int, advance: Callable[[int, int
 
 def _sections(config: Config, folder: Path, repeats: int) -> Iterator[page.Section]:
     tables, _ = exported(folder)
-    samples = sample(config, _BANDS, like=tables[config.export.recommended])
+    samples = sample(config, max(_BANDS, *(t.bands for t in tables.values())), like=tables[config.export.recommended])
     yield rules.section(config, repeats)
     yield fits.section(samples, repeats)
     yield evaluation.section(samples, tables, repeats)
+    yield batch.section(tables, repeats)
     yield growth.section(config)

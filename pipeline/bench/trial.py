@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import chain, repeat
 
 import numpy as np
 from numpy.typing import NDArray
@@ -41,7 +42,7 @@ class Trial:
 
 def paper_degrees(samples: Samples) -> list[int]:
     """Return the paper's degrees (13, 7), or as many as the config sweeps, 3 for further axes."""
-    return [min(d, axis.degrees[1]) for d, axis in zip((13, 7, 3, 3), samples.config.axes, strict=False)]
+    return [min(d, axis.degrees[1]) for d, axis in zip(chain((13, 7), repeat(3)), samples.config.axes, strict=False)]
 
 
 def factor_of(samples: Samples, kind: str, where: Array) -> Array:

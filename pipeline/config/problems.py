@@ -2,11 +2,26 @@
 
 from __future__ import annotations
 
+import math
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 
 from pipeline.config.names import table_names
 from pipeline.config.schema import AxisSection, Config
+from pipeline.light import PREFACTORS
+
+_NAME = re.compile(r"[a-z][a-z0-9_]{1,31}")
+# Names of the header's own, and of the store's dimensions.
+_RESERVED = frozenset(
+    {"bands", "weights", "status", "scale", "rest", "count", "sun_azimuth", "wave_cos", "wave_sin", "line", "known", "acc"}
+    | {"phi", "from", "slope", "grown", "low", "high", "channel", "weight", "degree", "order", "set", "t0"}
+    | {"int", "float", "double", "for", "if", "else", "while", "return", "static", "const", "void", "char", "short", "long"}
+)
+# A run's length has five bits.
+_PACKED_DEGREE = 30
+# So many parameter sets of one grid would not fit into memory.
+_MOST_SETS = 300_000
 
 
 @dataclass(frozen=True)
@@ -55,6 +70,9 @@ def _axes(config: Config) -> Iterator[Problem]:
         )
     for i, axis in enumerate(config.axes):
         path = f"$.axes[{i}]"
+        if axis.name in domains and (not _NAME.fullmatch(axis.name) or axis.name in _RESERVED):
+            remedy = "A parameter's name becomes a name in C and in files: lower-case letters, digits and _, none of"
+            yield Problem(f"{path}.name", axis.name, f"{remedy} {', '.join(sorted(_RESERVED))}.")
         if axis.name not in domains:
             yield Problem(f"{path}.name", axis.name, f"The light has no such parameter. Use one of: {', '.join(domains)}.")
         elif axis.name in given[:i]:
@@ -69,6 +87,10 @@ def _axes(config: Config) -> Iterator[Problem]:
                 allowed = f"[{domain.low:.9g}, {domain.high:.9g}] {domain.unit if domain.unit != '1' else ''}".rstrip()
                 yield Problem(f"{path}.range", list(axis.range), f"Stay within {allowed}: {domain.why}.")
         yield from _axis_numbers(path, axis)
+    for key in ("nodes", "verification"):
+        sets = math.prod(getattr(axis, key) for axis in config.axes)
+        if sets > _MOST_SETS:
+            yield Problem(f"$.axes[*].{key}", sets, f"That many parameter sets; a grid may have {_MOST_SETS}. Lower {key}.")
 
 
 def _axis_numbers(path: str, axis: AxisSection) -> Iterator[Problem]:
@@ -80,6 +102,8 @@ def _axis_numbers(path: str, axis: AxisSection) -> Iterator[Problem]:
         yield Problem(f"{path}.point", axis.point, f'map = "cbrt" needs a point not below the range: at least {high:.9g}.')
     if axis.map == "reciprocal" and low <= axis.point <= high:
         yield Problem(f"{path}.point", axis.point, f'map = "reciprocal" needs a point outside [{low:.9g}, {high:.9g}].')
+    if abs(axis.point) > 1e6:
+        yield Problem(f"{path}.point", axis.point, "Stay within -1e6 and 1e6: farther away a map is the identity.")
     if least > largest:
         yield Problem(
             f"{path}.degrees", list(axis.degrees), "The range is empty. Give [least, largest] with least <= largest."
@@ -94,6 +118,11 @@ def _axis_numbers(path: str, axis: AxisSection) -> Iterator[Problem]:
 
 def _fit(config: Config) -> Iterator[Problem]:
     fit = config.fit
+    hint = config.light.hints.prefactor
+    if fit.prefactor is True and hint is not None and hint.name not in PREFACTORS:
+        yield Problem(
+            "$.fit.prefactor", True, f'This package does not know the prefactor {hint.name!r}. Use false or "auto".'
+        )
     if fit.prefactor == "auto" and fit.basis != "chebyshev":
         yield Problem("$.fit.prefactor", fit.prefactor, 'The search needs basis = "chebyshev". Use true or false.')
     if fit.solver == "normal" and fit.basis == "chebyshev":
@@ -105,6 +134,8 @@ def _fit(config: Config) -> Iterator[Problem]:
     names = [reference.name for reference in fit.references]
     for i, reference in enumerate(fit.references):
         path = f"$.fit.references[{i}]"
+        if reference.name == "sweep" or reference.name in table_names(config):
+            yield Problem(f"{path}.name", reference.name, "The sweep or a winner has this name. Choose another.")
         if reference.name in names[:i]:
             yield Problem(f"{path}.name", reference.name, "This name stands twice. Give every reference its own.")
         yield from _degrees(config, f"{path}.degrees", reference.degrees, [axis.nodes - 1 for axis in config.axes])
@@ -122,6 +153,9 @@ def _winners(config: Config) -> Iterator[Problem]:
             yield Problem(path, given, "Give either budgets or sizes, or degrees.")
         if winner.degrees is not None:
             yield from _degrees(config, f"{path}.degrees", winner.degrees, [axis.degrees[1] for axis in config.axes])
+        if "packed" in winner.layouts and config.axes and config.axes[0].degrees[1] > _PACKED_DEGREE:
+            remedy = f"Packed tables hold degrees up to {_PACKED_DEGREE} of the first axis. Lower its degrees, or use rows"
+            yield Problem(f"{path}.layouts", list(winner.layouts), f"{remedy}.")
         if "packed" in winner.layouts and (winner.degrees is not None or winner.dtype != "float32"):
             yield Problem(
                 f"{path}.layouts", list(winner.layouts), 'Packed tables need budgets and dtype = "float32". Use ["rows"].'
@@ -132,7 +166,10 @@ def _winners(config: Config) -> Iterator[Problem]:
 
 def _cases(config: Config) -> Iterator[Problem]:
     ranges = {axis.name: axis.range for axis in config.axes}
+    titles = [case.title for case in config.report.cases]
     for i, case in enumerate(config.report.cases):
+        if case.title in titles[:i]:
+            yield Problem(f"$.report.cases[{i}].title", case.title, "This title stands twice. Give every case its own.")
         path = f"$.report.cases[{i}].at"
         if set(case.at) != set(ranges):
             yield Problem(path, case.at, f"Give one value for each axis: {', '.join(ranges)}.")

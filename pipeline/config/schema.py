@@ -151,7 +151,7 @@ class RunSection(_Section):
 
     executor: str = Field(
         "threads",
-        pattern=r"^(threads|processes|(tcp|tls|inproc)://\S+)$",
+        pattern=r"^(threads|processes|(tcp|tls)://[A-Za-z0-9_.\[\]:-]+:\d+)$",
         description="threads, processes, or the address of a Dask scheduler such as tcp://127.0.0.1:8786",
     )
     workers: int = Field(0, ge=0, le=1024, description="threads or processes, 0 for one a core")

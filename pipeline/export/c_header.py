@@ -23,6 +23,10 @@ from pipeline.table.table import SLACK, Table
 PREFIX = re.compile(r"[a-z][a-z0-9_]{0,31}")
 
 
+# What errors are fractions of, by the convention's name.
+_L_MIN = {"per-set": "least luminance of the same sky", "mean": "mean luminance of the same sky"}
+
+
 @dataclass(frozen=True)
 class Facts:
     """What the header says about its table beside what the table knows itself.
@@ -72,7 +76,7 @@ def write(table: Table, facts: Facts, prefix: str = "skylight_sh") -> str:
         windowed=table.windowed,
         e_mean=facts.e_mean,
         e_max=facts.e_max,
-        l_min=_comment(facts.l_min),
+        l_min=_L_MIN.get(facts.l_min, _comment(facts.l_min)),
         least=facts.least,
         bytes=table.bytes,
         about_layout="laid out for speed" if fast else "packed into few bytes (a fast table takes more and less time)",

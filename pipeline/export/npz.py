@@ -15,6 +15,8 @@ from numpy.typing import NDArray
 
 from pipeline import sphere
 from pipeline.fit.axes import Axis
+from pipeline.fit.bases import BASES
+from pipeline.light import PREFACTORS
 from pipeline.table.factor import ClosedForm, Factor, Reciprocal
 from pipeline.table.packed import Packed
 from pipeline.table.rows import Rows
@@ -66,7 +68,7 @@ def read(path: str | Path | BinaryIO) -> Table:
                 found = header.get("format")
                 raise ValueError(f"its format is {found!r}, this version reads {FORMAT}: run the fit again")
             return _table(header, archive)
-    except (OSError, KeyError, TypeError, ValueError, EOFError, zipfile.BadZipFile) as error:
+    except (OSError, LookupError, AttributeError, TypeError, ValueError, EOFError, zipfile.BadZipFile) as error:
         raise ValueError(f"{path} is no table of this pipeline ({error}). Give the .npz that a run exported.") from error
 
 
@@ -93,6 +95,9 @@ def _table(header: dict[str, Any], archive: Mapping[str, NDArray[Any]]) -> Table
             header["step"],
         )
     factor: Factor | None = None
+    for kind, known in (("basis", BASES), ("prefactor", {"": None, **PREFACTORS})):
+        if header[kind] not in known:
+            raise ValueError(f"this version knows no {kind} {header[kind]!r}")
     if header["prefactor"]:
         factor = ClosedForm(header["prefactor"], tuple(header["prefactor_constants"]), tuple(map(tuple, header["fixed"])))
     elif archive["denominator"].size:

@@ -92,7 +92,7 @@ def _contract(coefficients: Array, vanders: Sequence[Floats], degrees: Sequence[
 def _record(
     result: Worst, row: int, absolute: Array, root: Array, norms: Array, l_min: dict[str, Array], part: slice
 ) -> None:
-    np.maximum(result.rel_l2[row], (root / norms).max(axis=0), out=result.rel_l2[row])
+    np.maximum(result.rel_l2[row], (root / np.maximum(norms, np.finfo(np.float64).tiny)).max(axis=0), out=result.rel_l2[row])
     for name, values in l_min.items():
         scale = values[part, np.newaxis, np.newaxis]
         np.maximum(result.e_max[name][row], (absolute / scale).max(axis=0), out=result.e_max[name][row])

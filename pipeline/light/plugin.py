@@ -8,9 +8,34 @@ from functools import cached_property
 from importlib.metadata import EntryPoint, entry_points
 from typing import ClassVar, Literal
 
+import numpy as np
+
 from pipeline.light.protocol import Array, Domain, Hints, Light, Parameters
 
 GROUP = "skylight_sh.lights"
+
+
+class _UnfitError(Exception):
+    """A light that does not keep to the protocol; its text says where."""
+
+
+# What another package's code may raise while it is loaded and asked for the first time.
+_WRONG = (ImportError, AttributeError, TypeError, SyntaxError, RuntimeError, LookupError, ArithmeticError, _UnfitError)
+
+
+def _check(light: Light) -> None:
+    """Ask a light for everything once. Raises _UnfitError where it does not keep to the protocol."""
+    peak, channels = light.hints.peak_axis, len(light.channels)
+    if not isinstance(light.title, str) or not isinstance(light.version, str):
+        raise _UnfitError("its title and version must be texts")
+    if peak is not None and peak not in light.domains:
+        raise _UnfitError(f"its peak_axis {peak!r} is none of its parameters {', '.join(light.domains)}")
+    if np.shape(light.luminance_row) != (channels,):
+        raise _UnfitError(f"its luminance_row must have one number for each of {channels} channels")
+    middle = {name: np.full((1, 1), (domain.low + domain.high) / 2) for name, domain in light.domains.items()}
+    found = np.asarray(light.radiance(np.array([[[0.6, 0.0, 0.8], [0.0, 0.0, 1.0]]]), middle))
+    if found.shape[-1:] != (channels,) or not np.all(np.isfinite(found)):
+        raise _UnfitError(f"its radiance of shape {found.shape} is not finite with {channels} channels last")
 
 
 @dataclass(frozen=True)
@@ -30,7 +55,8 @@ class Plugin:
         try:
             # Made at once, so that a config's error is told before anything runs.
             _ = self._light
-        except (ImportError, AttributeError, TypeError) as error:
+            _check(self._light)
+        except _WRONG as error:
             raise ValueError(
                 f"The light {self.entry!r} cannot be made ({error}). Mend its options or its package"
             ) from error
@@ -55,7 +81,8 @@ class Plugin:
     def version(self) -> str:
         """The package that offers the light, and its version."""
         package = self._point.dist
-        return f"{package.name} {package.version}" if package else "unknown"
+        told = f"{package.name} {package.version}" if package else "unknown"
+        return f"{told} {self._light.version}".rstrip()
 
     @property
     def title(self) -> str:

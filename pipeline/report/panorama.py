@@ -43,4 +43,4 @@ def display(radiance: Array, white: float) -> Array:
     scaled = np.maximum(radiance, 0.0) * (3.0 / white)
     mapped = np.clip(scaled / (1.0 + scaled) * (4.0 / 3.0), 0.0, 1.0)
     encoded = np.where(mapped <= 0.0031308, 12.92 * mapped, 1.055 * mapped ** (1 / 2.4) - 0.055)
-    return np.repeat(encoded, 3, axis=-1) if encoded.shape[-1] == 1 else encoded
+    return encoded if encoded.shape[-1] == 3 else np.repeat(encoded.mean(axis=-1, keepdims=True), 3, axis=-1)

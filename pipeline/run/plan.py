@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from pipeline.run.executors import Advance
+from pipeline.run.provenance import libraries
 from pipeline.store import hdf5
 from pipeline.store.dataset import Dataset
 from pipeline.store.hdf5 import SCHEMA_VERSION
@@ -49,7 +50,7 @@ class Outcome:
 
 
 def keys(plan: Sequence[Step]) -> dict[str, str]:
-    """Return each step's key by name: its stage, code, parameters and its inputs' keys, nothing else."""
+    """Return each step's key by name: its stage, code, libraries, parameters and its inputs' keys, nothing else."""
     known: dict[str, str] = {}
     for step in plan:
         known[step.name] = digest(
@@ -57,6 +58,7 @@ def keys(plan: Sequence[Step]) -> dict[str, str]:
                 "stage": step.name,
                 "schema": SCHEMA_VERSION,
                 "code": code_version(step.code),
+                "libraries": libraries(),
                 "parameters": step.parameters,
                 "inputs": {name: known[name] for name in step.inputs},
             }

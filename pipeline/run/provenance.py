@@ -13,6 +13,8 @@ from pipeline import __version__
 from pipeline.config.schema import Config
 
 _LIBRARIES = ("numpy", "scipy", "h5py", "dask")
+# Those whose versions can change a result; drawing libraries change the report alone.
+_DRAWING = ("matplotlib", "pandas", "jinja2")
 
 
 @lru_cache(maxsize=1)
@@ -27,6 +29,18 @@ def environment() -> dict[str, Any]:
         "cpu_features": sorted(set(features.get("baseline", [])) | set(features.get("found", []))),
         **{name: version(name) for name in _LIBRARIES},
     }
+
+
+@lru_cache(maxsize=1)
+def libraries() -> dict[str, str]:
+    """Return the versions that decide what a step computes."""
+    return {name: version(name) for name in ("numpy", "scipy")}
+
+
+@lru_cache(maxsize=1)
+def drawing() -> dict[str, str]:
+    """Return the versions that decide what a report looks like."""
+    return {name: version(name) for name in _DRAWING}
 
 
 def settings(config: Config) -> dict[str, Any]:

@@ -77,7 +77,11 @@ def _by_stage(outcomes: Mapping[str, plan.Outcome]) -> dict[str, dict[str, Any]]
 def _publish(folder: Path, files: Mapping[str, bytes]) -> None:
     """Write what differs, each file whole, and remove what the last run published and this one does not."""
     record = folder / "run.json"
-    before = json.loads(record.read_text(encoding="utf-8")).get("files", []) if record.is_file() else []
+    try:
+        before = json.loads(record.read_text(encoding="utf-8"))["files"] if record.is_file() else []
+    except (ValueError, KeyError, TypeError):
+        # A damaged record: nothing is known to be stale.
+        before = []
     for path, data in files.items():
         target = folder / path
         if not target.is_file() or target.read_bytes() != data:

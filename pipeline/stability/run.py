@@ -35,7 +35,7 @@ _COUNT = 9
 
 def _sections(config: Config, folder: Path) -> Iterator[page.Section]:
     tables, published = exported(folder)
-    samples = sample(config, _BANDS, like=tables[config.export.recommended])
+    samples = sample(config, max(_BANDS, *(t.bands for t in tables.values())), like=tables[config.export.recommended])
     yield bases.section(samples)
     yield schemes.section(samples)
     yield contraction.section(samples, tables)

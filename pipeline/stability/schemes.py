@@ -24,8 +24,8 @@ TEXT = (
     "the whole table, summed in float32), by powers u**k, Horner's scheme, Clenshaw's, or products with the basis's "
     "own recurrence, which is what tables ship with. What breaks is the raw monomial in anything but double "
     "precision, by any scheme: its coefficients are large and cancel. Scaled variables cure it; half floats are never "
-    "enough for weights of 10^4 cd/m2, which is why tables ship as float32 or as fixed-point numbers of up to 24 "
-    "bits."
+    "enough for weights of 10^4 cd/m2, which is why tables ship as float32, or as whole numbers of one step in as "
+    "many bits as each needs."
 )
 _BITS = ("float64", "float32", "float16", "int16")
 

@@ -52,12 +52,13 @@ def read(path: Path) -> Dataset:
 
             file.visititems(visit)
             attrs = {key: _plain(value) for key, value in file.attrs.items()}
-    except (OSError, KeyError, RuntimeError) as error:
+        expected = attrs.pop("content_sha256", None)
+        attrs.pop("schema_version", None)
+        dataset = Dataset(variables, attrs)
+        found = checksum(dataset)
+    except (OSError, KeyError, RuntimeError, ValueError, TypeError) as error:
         raise CorruptArtifactError(f"{path} cannot be read ({error}). Delete it; the next run makes it again.") from error
-    expected = attrs.pop("content_sha256", None)
-    attrs.pop("schema_version", None)
-    dataset = Dataset(variables, attrs)
-    if checksum(dataset) != expected:
+    if found != expected:
         raise CorruptArtifactError(f"{path} does not match its checksum. Delete it; the next run makes it again.")
     return dataset
 

@@ -79,7 +79,10 @@ class Store:
         """Delete, and yield, every artifact that no run's last result uses, and temporary files left behind."""
         used: set[str] = set()
         for path in self.root.glob("runs/*.json"):
-            used.update(json.loads(path.read_text(encoding="utf-8")))
+            try:
+                used.update(json.loads(path.read_text(encoding="utf-8")))
+            except (ValueError, TypeError) as error:
+                raise OSError(f"{path} is damaged ({error}). Delete it, and run its config again before `gc`.") from error
         for entry in self.entries():
             if entry.key not in used:
                 entry.path.unlink()

@@ -45,7 +45,7 @@ def measure(table: Table, reference: Reference) -> Measured:
         e_max=np.stack([(absolute / scale).max(axis=0) for scale in scales]),
         e_mean=means.max(axis=1),
         at=means.argmax(axis=1),
-        rel_l2=(root / norm).max(axis=0),
+        rel_l2=(root / np.maximum(norm, np.finfo(np.float64).tiny)).max(axis=0),
         per_set=means[0, :, :, -1].max(axis=1),
     )
 

@@ -16,6 +16,8 @@ from pipeline.truth.sampling import Job, peak_of, project_block
 Array = NDArray[np.float64]
 
 _PROBES_PER_AXIS = 5
+# A channel that is black has weights of 0.
+_TINY = np.finfo(np.float64).tiny
 
 
 def choose_nodes(
@@ -48,7 +50,7 @@ def choose_nodes(
         current = [project_block(Job(light, names, block, nodes, bands, mirrored, rule)).weights for block in blocks]
         if previous:
             estimate = max(
-                float(np.max(np.abs(new - old).max(axis=-1) / np.abs(new).max(axis=-1)))
+                float(np.max(np.abs(new - old).max(axis=-1) / np.maximum(np.abs(new).max(axis=-1), _TINY)))
                 for new, old in zip(current, previous, strict=True)
             )
             if estimate <= tolerance:

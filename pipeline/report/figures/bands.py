@@ -42,7 +42,7 @@ def draw(material: Material) -> Figure:
         axes.set_xlabel("bands N")
         axes.yaxis.set_major_formatter(style.percent_ticks())
         axes.grid(True, which="major", alpha=0.3)
-    if material.references or material.name == "paper":
+    if ("preetham" in str(material.settings["light"]["model"]) and material.references) or material.name == "paper":
         left.plot(
             *zip(*_QUOTED, strict=True), "x", color="black", markersize=10, markeredgewidth=2, label="quoted by the paper"
         )

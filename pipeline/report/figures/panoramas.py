@@ -59,10 +59,11 @@ def _column(material: Material, panels: list[Axes], title: str, values: np.ndarr
     figure.colorbar(image, ax=panels[3], orientation="horizontal", label="% of L_min")
     for panel in panels:
         panel.tick_params(labelsize=7)
-    panels[0].set_title(f"{title}\n{entry.name}, N = {bands}\n{material.describe(values)}", fontsize=8.5)
+    panels[0].set_title(f"{title}\n{entry.name}, N = {bands}\n{material.describe(values)}", fontsize=8.5, parse_math=False)
 
 
 def _scale(material: Material, values: np.ndarray) -> float:
-    """Return the least luminance of the nearest verification grid set: a scale for people, not a measure."""
+    """Return the least luminance of the nearest verification grid set (1 if it is not positive): a scale for people."""
     index = tuple(int(np.abs(nodes - value).argmin()) for nodes, value in zip(material.grid, values, strict=True))
-    return float(material.least[index])
+    least = float(material.least[index])
+    return least if least > 0.0 else 1.0

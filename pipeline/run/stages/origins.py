@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import asdict
 from functools import partial
+from itertools import chain, repeat
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,7 +13,7 @@ from pipeline import sphere
 from pipeline.config.schema import Config
 from pipeline.fit import solve
 from pipeline.fit.bases import BASES
-from pipeline.fit.errors import Reference
+from pipeline.fit.errors import Reference, mean_luminance
 from pipeline.run.executors import Advance, map_tasks
 from pipeline.run.plan import Inputs, Step
 from pipeline.run.stages.axes import axes_of, fit_nodes, variables
@@ -25,10 +26,18 @@ Array = NDArray[np.float64]
 
 NAME = "origins"
 STEP = "fit/origins"
-_CODE = ("light", "sphere", "fit", "truth/fixed.py", "truth/sets.py", "run/stages/origins.py", "run/stages/axes.py")
+_CODE = (
+    "light",
+    "sphere",
+    "fit",
+    "truth/fixed.py",
+    "truth/sets.py",
+    *(f"run/stages/{name}.py" for name in ("origins", "axes", "fit", "scene")),
+)
 # The paper's bands and degrees; side of the grid of cells, one random sample each, that stands for a truth.
 _BANDS = 7
-_DEGREES = (13, 7, 3, 3)
+_DEGREES = (13, 7)
+_FURTHER = 3
 _SIDES = (12, 18, 26, 36, 50)
 
 
@@ -58,10 +67,14 @@ def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
     count = sphere.count(bands, mirrored=bool(grid.attrs["mirrored"]))
     exact = grid["weights"][..., :count].reshape(-1, len(config.source.channels), count)
     exact = np.asarray(sphere.unmirror(exact, bands)) if grid.attrs["mirrored"] else exact
-    degrees = [min(d, n.size - 1) for d, n in zip(_DEGREES, nodes, strict=False)]
+    degrees = [min(d, n.size - 1) for d, n in zip(chain(_DEGREES, repeat(_FURTHER)), nodes, strict=False)]
     matrices = [np.asarray(BASES["monomial"].vander(n, d), dtype=np.float64) for n, d in zip(nodes, degrees, strict=True)]
     sets = parameter_sets.grid(nodes)
     least = grid["least_luminance"].ravel()
+    if "per-set" not in reference.l_min:
+        least = mean_luminance(
+            grid["weights"].reshape(-1, *grid["weights"].shape[-2:])[:, :, 0], config.source.luminance_row
+        )
 
     done, total = 0, len(_SIDES) + 1
     found: dict[str, list[float]] = {key: [] for key in ("m_below_0", "rel_l2", "own", "truth")}

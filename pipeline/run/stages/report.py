@@ -15,7 +15,7 @@ from pipeline.export import npz
 from pipeline.report.material import Entry, Material, Sweep
 from pipeline.run.executors import Advance
 from pipeline.run.plan import Inputs, Step
-from pipeline.run.provenance import environment, settings
+from pipeline.run.provenance import drawing, environment, settings
 from pipeline.run.stages import origins
 from pipeline.run.stages.axes import axes_of, variables
 from pipeline.run.stages.files import to_dataset
@@ -36,13 +36,16 @@ _CODE = (
     "run/stages/report.py",
     "run/stages/scene.py",
     "run/stages/axes.py",
+    "run/stages/files.py",
+    "run/stages/origins.py",
+    "config/names.py",
 )
 _INPUTS = ("truth/rule", "truth/verification", "fit", "select")
 
 
 def steps(config: Config) -> list[Step]:
     """Return the report's step."""
-    parameters = {"config": settings(config), "environment": environment()}
+    parameters = {"config": settings(config), "environment": environment(), "drawing": drawing()}
     explained = (origins.STEP,) if origins.is_wanted(config) else ()
     needed = (*_INPUTS, *variables(config), *explained)
     return [Step("report", "", _CODE, needed, parameters, partial(_make, config))]

@@ -16,7 +16,7 @@ from pipeline.export import npz
 from pipeline.fit.errors import Reference, mean_luminance
 from pipeline.fit.fewest import fewest
 from pipeline.fit.smallest import smallest
-from pipeline.fit.weighted import Sampled
+from pipeline.fit.weighted import Sampled, even, metric
 from pipeline.run.executors import Advance, map_tasks
 from pipeline.run.plan import Inputs, Step
 from pipeline.run.stages.axes import fit_nodes, frame_of, variables
@@ -190,7 +190,7 @@ def _cheapest(wanted_: Wanted, budget: float, material: _Material) -> tuple[Tabl
         table, tried = search(wanted_, aim, material)
         front += tried
         if table is None:
-            reached = min((error for _, error in tried), default=np.inf)
+            reached = _whole_error(wanted_, material)
             break
         reached = headline(table, material.reference_of(wanted_.winner.bands))
         if reached <= budget:
@@ -200,6 +200,12 @@ def _cheapest(wanted_: Wanted, budget: float, material: _Material) -> tuple[Tabl
         f"No table of {wanted_.winner.bands} bands meets winners.budgets = {budget:g}: {wanted_.name} reaches "
         f"{reached:.3g} with all degrees. Raise the budget, or the largest degrees of the axes."
     )
+
+
+def _whole_error(wanted_: Wanted, material: _Material) -> float:
+    """Return the error of all terms of the largest degrees, in double precision."""
+    grid, checked = _both(replace(material, degrees=tuple(material.swept.max(axis=0))), wanted_.winner.bands)
+    return float(checked.errors(metric(grid, even(grid)).best).max())
 
 
 def _within(wanted_: Wanted, size: int, material: _Material) -> tuple[Table, list[Point]]:

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from pipeline import sphere
 from pipeline.config.schema import Config
 from pipeline.fit.axes import Axis
+from pipeline.fit.errors import mean_luminance
 from pipeline.fit.search import search
 from pipeline.run.executors import Advance, map_tasks
 from pipeline.run.plan import Inputs, Step
@@ -42,7 +43,7 @@ def steps(config: Config) -> list[Step]:
     """Return the rule's step and one for each collection of parameter sets that the config asks for."""
     common = {
         "light": {**asdict(config.light), "version": config.light.version},
-        "ranges": {axis.name: axis.range for axis in config.axes},
+        "ranges": [(axis.name, axis.range) for axis in config.axes],
         "bands": config.truth.bands,
         "tolerance": config.truth.tolerance,
         "orders": config.truth.orders,
@@ -51,7 +52,8 @@ def steps(config: Config) -> list[Step]:
         # Of the scene only what the light itself loses by it.
         "scene": {"fixed": config.scene.fixed, "channels": config.scene.channels},
     }
-    spacing = {axis.name: (axis.nodes, axis.spacing, axis.map, axis.point) for axis in config.axes}
+    # Lists, not mappings: the order of the axes is the order of the samples.
+    spacing = [(axis.name, axis.nodes, axis.spacing, axis.map, axis.point) for axis in config.axes]
     rule = Step("truth", "rule", _CODE, (), common, partial(_make_rule, config))
     needed = (rule.name, *variables(config))
     found = [rule]
@@ -66,7 +68,7 @@ def steps(config: Config) -> list[Step]:
             "verification",
             _CODE,
             needed,
-            {"fit": spacing, "count": {axis.name: axis.verification for axis in config.axes}},
+            {"fit": spacing, "count": [(axis.name, axis.verification) for axis in config.axes]},
             partial(_make_grid, config, verification_nodes, "verification"),
         ),
     ]
@@ -103,7 +105,7 @@ def _make_variables(config: Config, inputs: Inputs, _: Advance) -> Dataset:
         axes,
         [probe[axis.name] for axis in axes],
         probe["weights"],
-        probe["least_luminance"],
+        _positive(config, probe),
         _finest_budget(config),
         free=free,
         factor=config.fit.prefactor == "auto",
@@ -111,6 +113,13 @@ def _make_variables(config: Config, inputs: Inputs, _: Advance) -> Dataset:
     powers = tuple(f"power_{axis.name}" for axis in axes)
     made = json.dumps([asdict(axis) for axis in found.axes])
     return Dataset({"denominator": Variable(powers, found.denominator)}, {"axes": made})
+
+
+def _positive(config: Config, probe: Dataset) -> Array:
+    """Return what the search divides by: the least luminance, or the mean where the least is not positive."""
+    if np.all(probe["least_luminance"] > 0.0):
+        return probe["least_luminance"]
+    return mean_luminance(probe["weights"][..., 0], config.source.luminance_row)
 
 
 def _make_grid(config: Config, nodes_of: NodesOf, name: str, inputs: Inputs, advance: Advance) -> Dataset:

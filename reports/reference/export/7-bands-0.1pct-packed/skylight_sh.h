@@ -1,7 +1,7 @@
 /* Preetham sky (published constants, srgb): spherical-harmonics weights, evaluated from polynomials.
  *
  * Written by skylight-sh 0.1.0; the table and this code may be used by anyone for anything (CC0-1.0).
- * C99 and C++11, header only, no allocation, no global written.
+ * C99 and C++11, header only, no allocation, no global written, nothing static but constants: any thread may call it.
  *
  * Usage
  *   float w[SKYLIGHT_SH_CHANNELS][SKYLIGHT_SH_WEIGHTS];
@@ -12,17 +12,22 @@
  *   turbidity: [2.5, 6]
  *   sun_azimuth: any finite angle, rad
  * Output
- *   w[channel][l*(l+1)+m], channels red, green, blue, linear, luminance-scaled cd/m2. Real orthonormal
- *   spherical harmonics without the Condon-Shortley sign, z up, m > 0 cosine, m < 0 sine; the azimuth turns from +x
- *   towards +y. The lower hemisphere is black. Returns 0; 1 where an input lay outside its range and was clamped;
- *   2 (weights zeroed) where one was NaN or the azimuth infinite.
+ *   w[channel][l*(l+1)+m], channels red, green, blue: linear radiance, luminance-scaled cd/m2. Real orthonormal spherical harmonics
+ *   without the Condon-Shortley sign, z up, m > 0 cosine, m < 0 sine; the azimuth turns from +x towards +y. The lower
+ *   hemisphere is black. Returns 0; 1 where an input lay outside its range and was clamped; 2 (weights zeroed) where one
+ *   was NaN or the azimuth infinite.
+ *   Define SKYLIGHT_SH_EXPOSURE before this file to multiply all weights (1 by default).
  *
- * Accuracy, as shipped: E_mean 0.0999 %, E_max 0.447 % of the least radiance (per-set), at azimuth 0.
+ * Accuracy, as shipped: E_mean 0.0999 %, E_max 0.447 % of the least luminance of the same sky, at azimuth 0.
+ * The expansion rings: the least value it takes, over all directions and measured sets, is -13.8 % of its largest
+ * in the same set; the window below tames it.
  * Memory: 3241 bytes of constants, packed into few bytes (a fast table takes more and less time).
+ *
+ * With a sun disc of your own: this sky holds the glow about the sun but no disc. Add the disc's weights, and no halo.
  *
  * Provenance
  *   config preetham, table 7-bands-0.1pct-packed
- *   selection bb5a63134ea432c49439608a9dd7ae73a8aacf07bff86e3400ed4bb82966e1ab
+ *   selection e5853cb8db55595cbb69466353ea7de2a8aaa9be508bb1cd6ab06f92bb30b294
  *   python 3.11.7, numpy 2.4.6, scipy 1.17.1, h5py 3.16.0, dask 2026.8.0
  *   x86_64: AVX512_ICL X86_V2 X86_V3 X86_V4
  */
@@ -33,9 +38,21 @@
 #include <stdint.h>
 #include <string.h>
 
+#define SKYLIGHT_SH_VERSION "0.1.0"
 #define SKYLIGHT_SH_BANDS 7
 #define SKYLIGHT_SH_WEIGHTS 49
 #define SKYLIGHT_SH_CHANNELS 3
+#define SKYLIGHT_SH_AXES 2
+#define SKYLIGHT_SH_UNIT "cd/m2"
+#define SKYLIGHT_SH_E_MEAN 9.988810e-04
+#define SKYLIGHT_SH_E_MAX 4.473470e-03
+#define SKYLIGHT_SH_SUN_ZENITH_MIN 0.0f
+#define SKYLIGHT_SH_SUN_ZENITH_MAX 1.57079637f
+#define SKYLIGHT_SH_TURBIDITY_MIN 2.5f
+#define SKYLIGHT_SH_TURBIDITY_MAX 6.0f
+#ifndef SKYLIGHT_SH_EXPOSURE
+#define SKYLIGHT_SH_EXPOSURE 1
+#endif
 
 typedef float skylight_sh_real;
 
@@ -208,6 +225,46 @@ static inline int skylight_sh_rice(skylight_sh_bits *b, int low)
     return folded & 1 ? -(int)(folded >> 1) - 1 : (int)(folded >> 1);
 }
 
+/* Reads the stream once, forward, and stores the first `bands` bands, turned by the azimuth. */
+static inline void skylight_sh_combine(const skylight_sh_real *t0, const skylight_sh_real *rest, const skylight_sh_real *wave_cos, const skylight_sh_real *wave_sin, int bands, float weights[SKYLIGHT_SH_CHANNELS][SKYLIGHT_SH_WEIGHTS])
+{
+    static const signed char rest_profile[7] = { 6, 3, -1, -7, -12, -18, -18 };
+    static const signed char channel_profile[3] = { -4, -4, -3 };
+    signed char lengths[SKYLIGHT_SH_CHANNELS][7];
+    int profile[32], i, l, m, channel, r;
+    skylight_sh_bits bits;
+    bits.next = skylight_sh_stream;
+    bits.held = 0;
+    bits.count = 0;
+    memset(lengths, 0, sizeof lengths);
+    for (i = 0; i < 32; ++i) profile[i] = 0;
+    for (l = 0; l < bands; ++l) {
+        const int used = (int)skylight_sh_fixed(&bits, 5);
+        for (i = 0; i < used; ++i) profile[i] = (int)skylight_sh_fixed(&bits, 5);
+        for (m = 0; m <= l; ++m) {
+            for (channel = 0; channel < SKYLIGHT_SH_CHANNELS; ++channel) {
+                skylight_sh_real value = 0;
+                for (r = 0; r < 7; ++r) {
+                    const int level = rest_profile[r] + channel_profile[channel];
+                    const int length = lengths[channel][r] + skylight_sh_rice(&bits, 0);
+                    skylight_sh_real sum = 0;
+                    lengths[channel][r] = (signed char)length;
+                    for (i = 0; i < length; ++i) {
+                        const int size = profile[i] + level;
+                        sum += t0[i] * (skylight_sh_real)skylight_sh_rice(&bits, size > 0 ? size >> 1 : 0);
+                    }
+                    value += sum * rest[r];
+                }
+                value *= 7.84019139e-05f;
+                weights[channel][l * (l + 1) - m] = (float)(value * wave_sin[m]);
+                weights[channel][l * (l + 1) + m] = (float)(value * wave_cos[m]);
+            }
+        }
+    }
+    (void)wave_cos;
+    (void)wave_sin;
+}
+
 
 /* 0 for a finite number, 1 for an infinity, 2 for NaN: by its bits, so that -ffast-math cannot remove the test. */
 static inline int skylight_sh_kind(float v)
@@ -233,6 +290,9 @@ static inline skylight_sh_real skylight_sh_clamp(float v, skylight_sh_real low, 
     return x > high ? high : x;
 }
 
+
+
+
 /* sun_zenith in the fit's variable: reciprocal. */
 static inline skylight_sh_real skylight_sh_map_0(skylight_sh_real v)
 {
@@ -247,8 +307,8 @@ static inline skylight_sh_real skylight_sh_map_1(skylight_sh_real v)
     return k[1] * (v - k[0]) / (k[2] - v) - 1;
 }
 
-/* preetham_zenith: a closed form that all weights share; the fit divided by the same. */
-static inline skylight_sh_real skylight_sh_prefactor(skylight_sh_real sun_zenith, skylight_sh_real turbidity)
+/* What all weights share: the closed form preetham_zenith. */
+static inline skylight_sh_real skylight_sh_scale(skylight_sh_real sun_zenith, skylight_sh_real turbidity)
 {
     static const skylight_sh_real k[10] = { 0.1787f, -1.46300006f, -0.355399996f, 0.42750001f, -0.0227000006f, 5.32509995f, 0.1206f, -2.57710004f, -0.0670000017f, 0.370299995f };
     const float a = k[0] * turbidity + k[1], b = k[2] * turbidity + k[3], c = k[4] * turbidity + k[5];
@@ -268,99 +328,133 @@ static inline skylight_sh_real skylight_sh_prefactor(skylight_sh_real sun_zenith
         / (tan_below * (1.0f + a * up) * (1.0f + c * halo + e * (cosine * cosine)));
 }
 
-/* Evaluates the first `bands` bands (1 to SKYLIGHT_SH_BANDS, clamped likewise) and zeroes the rest. */
-static inline int skylight_sh_weights_bands(float sun_zenith, float sun_azimuth, float turbidity, int bands, float weights[SKYLIGHT_SH_CHANNELS][SKYLIGHT_SH_WEIGHTS])
-{
-    int status = 0, i, m, channel;
-    skylight_sh_real scale = 1;
-    skylight_sh_real wave_cos[SKYLIGHT_SH_BANDS], wave_sin[SKYLIGHT_SH_BANDS];
-    skylight_sh_real x0, t0[12];
-    skylight_sh_real x1, t1[8];
-    skylight_sh_real rest[7];
 
-    if (skylight_sh_kind(sun_azimuth) | skylight_sh_kind(sun_zenith) | skylight_sh_kind(turbidity)) {
-        if (skylight_sh_kind(sun_azimuth) != 0 || skylight_sh_kind(sun_zenith) == 2 || skylight_sh_kind(turbidity) == 2) {
-            memset(weights, 0, sizeof(float) * SKYLIGHT_SH_CHANNELS * SKYLIGHT_SH_WEIGHTS);
-            return 2;
-        }
-    }
-    if (bands < 1) { bands = 1; status = 1; }
-    if (bands > SKYLIGHT_SH_BANDS) { bands = SKYLIGHT_SH_BANDS; status = 1; }
-    x0 = skylight_sh_clamp(sun_zenith, 0.0f, 1.57079637f, 1.57079637e-06f, &status);
-    x1 = skylight_sh_clamp(turbidity, 2.5f, 6.0f, 3.50000005e-06f, &status);
-    scale = skylight_sh_prefactor(x0, x1);
-    {
-        const skylight_sh_real u = skylight_sh_map_0(x0);
-        skylight_sh_real *t = t0;
-        const int n = 12;
-        for (i = 0; i < 12; ++i) t[i] = 0;
-        t[0] = 1;
-        if (n > 1) t[1] = u;
-        for (i = 2; i < n; ++i) t[i] = 2 * t[i / 2] * t[i - i / 2] - t[i & 1];
-    }
+
+
+/* sun_zenith in the fit's variable: reciprocal, in double for the gradient. */
+static inline double skylight_sh_wide_map_0(double v)
+{
+    static const double k[3] = { 0.0, 4.366197723675814, 5.0 };
+    return k[1] * (v - k[0]) / (k[2] - v) - 1;
+}
+
+/* turbidity in the fit's variable: reciprocal, in double for the gradient. */
+static inline double skylight_sh_wide_map_1(double v)
+{
+    static const double k[3] = { 2.5, -4.5714285714285712, -2.0 };
+    return k[1] * (v - k[0]) / (k[2] - v) - 1;
+}
+
+/* What all weights share: the closed form preetham_zenith. */
+static inline double skylight_sh_wide_scale(double sun_zenith, double turbidity)
+{
+    static const double k[10] = { 0.1787, -1.4630000000000001, -0.35539999999999999, 0.42749999999999999, -0.022700000000000001, 5.3250999999999999, 0.1206, -2.5771000000000002, -0.067000000000000004, 0.37030000000000002 };
+    const double a = k[0] * turbidity + k[1], b = k[2] * turbidity + k[3], c = k[4] * turbidity + k[5];
+    const double d = k[6] * turbidity + k[7], e = k[8] * turbidity + k[9];
+    const double chi = (0.44444444444444444 - turbidity * 0.0083333333333333333) * (3.1415926535897932 - 2.0 * sun_zenith);
+    const double square = chi * chi;
+    const double tan_above = chi * (105.0 - 10.0 * square), tan_below = 105.0 - square * (45.0 - square);
+    const double y = d * sun_zenith, z = sun_zenith * sun_zenith;
+    const double cosine = 1.0 - z * (0.5 - z * (0.041666666666666667 - z * 0.0013888888888888889));
+    double up = 1.0 + b * (0.25 + b * 0.03125), halo = 1.0 + y * (0.125 + y * 0.0078125);
+    up = up * up;
+    up = up * up;
+    halo = halo * halo;
+    halo = halo * halo;
+    halo = halo * halo;
+    return 1000.0 * ((4.0453 * turbidity - 4.9710) * tan_above + (2.4192 - 0.2155 * turbidity) * tan_below)
+        / (tan_below * (1.0 + a * up) * (1.0 + c * halo + e * (cosine * cosine)));
+}
+
+/* The basis of the first axis, `t` of 12, zero where the table has no term. */
+static inline void skylight_sh_first(skylight_sh_real x, skylight_sh_real *t)
+{
+    const skylight_sh_real u = skylight_sh_map_0(x);
+    const int n = 12;
+    int i;
+    for (i = 0; i < 12; ++i) t[i] = 0;
+    t[0] = 1;
+    if (n > 1) t[1] = u;
+    for (i = 2; i < n; ++i) t[i] = 2 * t[i / 2] * t[i - i / 2] - t[i & 1];
+}
+
+/* All products of the other axes' bases, `rest` of 7. */
+static inline void skylight_sh_rest(skylight_sh_real x1, skylight_sh_real *rest)
+{
+    int r = 0, i;
+    skylight_sh_real t1[8];
+    int i1;
     {
         const skylight_sh_real u = skylight_sh_map_1(x1);
         skylight_sh_real *t = t1;
         const int n = 7;
-        for (i = 0; i < 8; ++i) t[i] = 0;
         t[0] = 1;
         if (n > 1) t[1] = u;
         for (i = 2; i < n; ++i) t[i] = 2 * t[i / 2] * t[i - i / 2] - t[i & 1];
     }
-    {
-        int r = 0;
-        int i1;
-        for (i1 = 0; i1 < 7; ++i1)
-            rest[r++] = scale * t1[i1];
-    }
-    /* The waves of the azimuth, by doubling: m = h + k. */
+    for (i1 = 0; i1 < 7; ++i1)
+        rest[r++] = t1[i1];
+    (void)i;
+}
+
+/* cos(m azimuth) and sin(m azimuth) for m < bands, by doubling: m = h + k. */
+static inline void skylight_sh_waves(skylight_sh_real azimuth, skylight_sh_real *wave_cos, skylight_sh_real *wave_sin)
+{
+    int m;
     wave_cos[0] = 1;
     wave_sin[0] = 0;
-    wave_cos[1] = cosf((skylight_sh_real)sun_azimuth);
-    wave_sin[1] = sinf((skylight_sh_real)sun_azimuth);
+    wave_cos[1] = cosf(azimuth);
+    wave_sin[1] = sinf(azimuth);
     for (m = 2; m < SKYLIGHT_SH_BANDS; ++m) {
         const int h = m / 2, k = m - h;
         wave_cos[m] = wave_cos[h] * wave_cos[k] - wave_sin[h] * wave_sin[k];
         wave_sin[m] = wave_sin[h] * wave_cos[k] + wave_cos[h] * wave_sin[k];
     }
-    {
-        static const signed char rest_profile[7] = { 6, 3, -1, -7, -12, -18, -18 };
-        static const signed char channel_profile[3] = { -4, -4, -3 };
-        signed char lengths[SKYLIGHT_SH_CHANNELS][7];
-        int profile[32], l, r;
-        skylight_sh_bits bits;
-        bits.next = skylight_sh_stream;
-        bits.held = 0;
-        bits.count = 0;
-        memset(lengths, 0, sizeof lengths);
-        for (i = 0; i < 32; ++i) profile[i] = 0;
-        for (i = 0; i < 7; ++i) rest[i] *= 7.84019139e-05f;
-        for (l = 0; l < bands; ++l) {
-            const int used = (int)skylight_sh_fixed(&bits, 5);
-            for (i = 0; i < used; ++i) profile[i] = (int)skylight_sh_fixed(&bits, 5);
-            for (m = 0; m <= l; ++m) {
-                for (channel = 0; channel < SKYLIGHT_SH_CHANNELS; ++channel) {
-                    skylight_sh_real value = 0;
-                    for (r = 0; r < 7; ++r) {
-                        const int level = rest_profile[r] + channel_profile[channel];
-                        const int length = lengths[channel][r] + skylight_sh_rice(&bits, 0);
-                        skylight_sh_real sum = 0;
-                        lengths[channel][r] = (signed char)length;
-                        for (i = 0; i < length; ++i) {
-                            const int size = profile[i] + level;
-                            sum += t0[i] * (skylight_sh_real)skylight_sh_rice(&bits, size > 0 ? size >> 1 : 0);
-                        }
-                        value += sum * rest[r];
-                    }
-                    weights[channel][l * (l + 1) - m] = (float)(value * wave_sin[m]);
-                    weights[channel][l * (l + 1) + m] = (float)(value * wave_cos[m]);
-                }
-            }
-        }
-    }
+    (void)azimuth;
+}
 
-    for (channel = 0; channel < SKYLIGHT_SH_CHANNELS; ++channel)
-        for (i = bands * bands; i < SKYLIGHT_SH_WEIGHTS; ++i) weights[channel][i] = 0.0f;
+/* Zeroes bands that were not asked for. */
+static inline void skylight_sh_finish(int bands, const skylight_sh_real *wave_cos, const skylight_sh_real *wave_sin, float weights[SKYLIGHT_SH_CHANNELS][SKYLIGHT_SH_WEIGHTS])
+{
+    int channel, i;
+    if (bands < SKYLIGHT_SH_BANDS) {
+        for (channel = 0; channel < SKYLIGHT_SH_CHANNELS; ++channel)
+            for (i = bands * bands; i < SKYLIGHT_SH_WEIGHTS; ++i) weights[channel][i] = 0.0f;
+    }
+    (void)wave_cos;
+    (void)wave_sin;
+}
+
+/* Checks and clamps the inputs into x; returns the status. */
+static inline int skylight_sh_inputs(float sun_zenith, float sun_azimuth, float turbidity, skylight_sh_real x[SKYLIGHT_SH_AXES])
+{
+    int status = 0;
+    if (skylight_sh_kind(sun_azimuth) | skylight_sh_kind(sun_zenith) | skylight_sh_kind(turbidity)) {
+        if (skylight_sh_kind(sun_azimuth) != 0 || skylight_sh_kind(sun_zenith) == 2 || skylight_sh_kind(turbidity) == 2) return 2;
+    }
+    x[0] = skylight_sh_clamp(sun_zenith, 0.0f, 1.57079637f, 1.57079637e-06f, &status);
+    x[1] = skylight_sh_clamp(turbidity, 2.5f, 6.0f, 3.50000005e-06f, &status);
+    return status;
+}
+
+/* Evaluates the first `bands` bands (1 to SKYLIGHT_SH_BANDS, clamped likewise) and zeroes the rest. */
+static inline int skylight_sh_weights_bands(float sun_zenith, float sun_azimuth, float turbidity, int bands, float weights[SKYLIGHT_SH_CHANNELS][SKYLIGHT_SH_WEIGHTS])
+{
+    skylight_sh_real x[SKYLIGHT_SH_AXES], t0[12], rest[7], wave_cos[SKYLIGHT_SH_BANDS], wave_sin[SKYLIGHT_SH_BANDS], scale;
+    int i, status = skylight_sh_inputs(sun_zenith, sun_azimuth, turbidity, x);
+    if (status == 2) {
+        memset(weights, 0, sizeof(float) * SKYLIGHT_SH_CHANNELS * SKYLIGHT_SH_WEIGHTS);
+        return 2;
+    }
+    if (bands < 1) { bands = 1; status = 1; }
+    if (bands > SKYLIGHT_SH_BANDS) { bands = SKYLIGHT_SH_BANDS; status = 1; }
+    scale = skylight_sh_scale(x[0], x[1]) * (skylight_sh_real)SKYLIGHT_SH_EXPOSURE;
+    skylight_sh_first(x[0], t0);
+    skylight_sh_rest(x[1], rest);
+    for (i = 0; i < 7; ++i) rest[i] *= scale;
+    skylight_sh_waves((skylight_sh_real)sun_azimuth, wave_cos, wave_sin);
+    skylight_sh_combine(t0, rest, wave_cos, wave_sin, bands, weights);
+    skylight_sh_finish(bands, wave_cos, wave_sin, weights);
     return status;
 }
 
@@ -369,6 +463,102 @@ static inline int skylight_sh_weights(float sun_zenith, float sun_azimuth, float
 {
     return skylight_sh_weights_bands(sun_zenith, sun_azimuth, turbidity, SKYLIGHT_SH_BANDS, weights);
 }
+
+/* Evaluates `count` suns from arrays; returns the largest status. No faster than single calls. */
+static inline int skylight_sh_weights_batch(int count, const float *sun_zenith, const float *sun_azimuth, const float *turbidity, float (*weights)[SKYLIGHT_SH_CHANNELS][SKYLIGHT_SH_WEIGHTS])
+{
+    int s, worst = 0;
+    for (s = 0; s < count; ++s) {
+        const int status = skylight_sh_weights(sun_zenith[s], sun_azimuth[s], turbidity[s], weights[s]);
+        worst = status > worst ? status : worst;
+    }
+    return worst;
+}
+
+/* Evaluates all bands and their derivatives after each axis (sun_zenith, turbidity), per unit of the axis; beyond a range, those at its edge. */
+static inline int skylight_sh_weights_gradient(float sun_zenith, float sun_azimuth, float turbidity, float weights[SKYLIGHT_SH_CHANNELS][SKYLIGHT_SH_WEIGHTS], float gradient[SKYLIGHT_SH_AXES][SKYLIGHT_SH_CHANNELS][SKYLIGHT_SH_WEIGHTS])
+{
+    static const double low[SKYLIGHT_SH_AXES] = { 0.0, 2.5 }, high[SKYLIGHT_SH_AXES] = { 1.5707963267948966, 6.0 };
+    skylight_sh_real x[SKYLIGHT_SH_AXES], t0[12], rest[7], wave_cos[SKYLIGHT_SH_BANDS], wave_sin[SKYLIGHT_SH_BANDS], scale;
+    double from[SKYLIGHT_SH_AXES], slope[SKYLIGHT_SH_AXES], grown[SKYLIGHT_SH_AXES];
+    int i, a, status = skylight_sh_inputs(sun_zenith, sun_azimuth, turbidity, x);
+    if (status == 2) {
+        memset(weights, 0, sizeof(float) * SKYLIGHT_SH_CHANNELS * SKYLIGHT_SH_WEIGHTS);
+        memset(gradient, 0, sizeof(float) * SKYLIGHT_SH_AXES * SKYLIGHT_SH_CHANNELS * SKYLIGHT_SH_WEIGHTS);
+        return 2;
+    }
+    scale = skylight_sh_scale(x[0], x[1]) * (skylight_sh_real)SKYLIGHT_SH_EXPOSURE;
+    skylight_sh_waves((skylight_sh_real)sun_azimuth, wave_cos, wave_sin);
+    for (a = 0; a < SKYLIGHT_SH_AXES; ++a) from[a] = (double)x[a];
+    /* Slopes of the map and of the logarithm of the scale, by central differences in double: right to 1e-8. */
+    for (a = 0; a < SKYLIGHT_SH_AXES; ++a) {
+        const double h = 1e-5 * (high[a] - low[a]), middle = from[a];
+        double above[2], logarithm[2];
+        from[a] = middle < low[a] + h ? low[a] + h : middle > high[a] - h ? high[a] - h : middle;
+        for (i = 0; i < 2; ++i) {
+            from[a] += i ? 2.0 * h : -h;
+            logarithm[i] = log(fabs(skylight_sh_wide_scale(from[0], from[1])));
+            above[i] = a == 0 ? skylight_sh_wide_map_0(from[a]) : skylight_sh_wide_map_1(from[a]);
+        }
+        slope[a] = (above[1] - above[0]) / (2.0 * h);
+        grown[a] = (logarithm[1] - logarithm[0]) / (2.0 * h);
+        from[a] = middle;
+    }
+    for (a = -1; a < SKYLIGHT_SH_AXES; ++a) {
+        float(*out)[SKYLIGHT_SH_WEIGHTS] = a < 0 ? weights : gradient[a];
+        skylight_sh_first(x[0], t0);
+        if (a == 0) {
+            /* T'(i) = 2 T(i-1) + 2 u T'(i-1) - T'(i-2). */
+            skylight_sh_real d[12];
+            d[0] = 0;
+            d[1] = 1;
+            for (i = 2; i < 12; ++i) d[i] = 2 * t0[i - 1] + 2 * t0[1] * d[i - 1] - d[i - 2];
+            for (i = 0; i < 12; ++i) t0[i] = (skylight_sh_real)grown[0] * t0[i] + (skylight_sh_real)slope[0] * d[i];
+        }
+        if (a < 1) skylight_sh_rest(x[1], rest);
+        else {
+            int r = 0;
+            skylight_sh_real t1[8], d1[8];
+            int i1;
+            t1[0] = 1;
+            t1[1] = skylight_sh_map_1(x[1]);
+            d1[0] = 0;
+            d1[1] = 1;
+            for (i = 2; i < 7; ++i) {
+                t1[i] = 2 * t1[1] * t1[i - 1] - t1[i - 2];
+                d1[i] = 2 * t1[i - 1] + 2 * t1[1] * d1[i - 1] - d1[i - 2];
+            }
+            if (a == 1)
+                for (i = 0; i < 7; ++i) t1[i] = (skylight_sh_real)grown[1] * t1[i] + (skylight_sh_real)slope[1] * d1[i];
+            for (i1 = 0; i1 < 7; ++i1)
+                rest[r++] = t1[i1];
+        }
+        for (i = 0; i < 7; ++i) rest[i] *= scale;
+        skylight_sh_combine(t0, rest, wave_cos, wave_sin, SKYLIGHT_SH_BANDS, out);
+        skylight_sh_finish(SKYLIGHT_SH_BANDS, wave_cos, wave_sin, out);
+    }
+    return status;
+}
+
+
+/* Unit vector of the dominant light: where the linear part of the weights, summed over channels by luminance, points. Returns 0, or 1 (and straight up) where it points nowhere. */
+static inline int skylight_sh_dominant(float weights[SKYLIGHT_SH_CHANNELS][SKYLIGHT_SH_WEIGHTS], float direction[3])
+{
+    static const float luminance[SKYLIGHT_SH_CHANNELS] = { 0.212672845f, 0.715152144f, 0.0721749961f };
+    float x = 0.0f, y = 0.0f, z = 0.0f, length;
+    int channel;
+    for (channel = 0; channel < SKYLIGHT_SH_CHANNELS; ++channel) {
+        x += luminance[channel] * weights[channel][3];
+        y += luminance[channel] * weights[channel][1];
+        z += luminance[channel] * weights[channel][2];
+    }
+    length = sqrtf(x * x + y * y + z * z);
+    direction[0] = length > 0.0f ? x / length : 0.0f;
+    direction[1] = length > 0.0f ? y / length : 0.0f;
+    direction[2] = length > 0.0f ? z / length : 1.0f;
+    return !(length > 0.0f);
+}
+
 
 /* Optional: tames the ringing of the horizon by the zonal window sinc(pi l / bands) (Habel et al. 2008, eq. 5). */
 static inline void skylight_sh_window(int bands, float weights[SKYLIGHT_SH_CHANNELS][SKYLIGHT_SH_WEIGHTS])
