@@ -3,7 +3,7 @@ CONFIG ?= configs/preetham.toml
 PYTHON ?= python3
 RUN := .venv/bin/python -m pipeline
 
-.PHONY: help fit test bench stability lint reference clean
+.PHONY: help fit test conformance bench stability lint reference clean
 
 help: ## List the targets
 	@grep -E '^[a-z]+:.*## ' Makefile | sed -E 's/^([a-z]+):.*## /\1: /' | column -t -s ':' || true
@@ -13,6 +13,9 @@ fit: .venv/run.stamp ## Run every stage of CONFIG and print where the report is
 
 test: .venv/dev.stamp ## Run the tests
 	@.venv/bin/python -m pytest
+
+conformance: .venv/dev.stamp ## Run the tests that need more tools: node, shader compilers, a browser, clang, an emulator
+	@.venv/bin/python -m pytest -m tools
 
 bench: .venv/run.stamp ## Measure error against time
 	@$(RUN) bench $(CONFIG)

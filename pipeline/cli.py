@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from pipeline import __version__
+from pipeline.cli_tables import BadInputError, evaluate, export
 
 if TYPE_CHECKING:
     from pipeline.config import Config
@@ -50,10 +51,6 @@ class _Group(click.Group):
                 raise
             click.echo(f"Error: {error}", err=True)
             ctx.exit(2)
-
-
-class BadInputError(Exception):
-    """Input that the user can mend; its text says how."""
 
 
 @click.group(cls=_Group)
@@ -101,69 +98,8 @@ def run(config: Path, executor: str | None, workers: int | None, store: Path, re
     click.echo(f"NPZ     {result.folder / 'export' / 'skylight_sh.npz'}")
 
 
-@main.command()
-@click.argument("table", type=click.Path(path_type=Path))
-@click.option(
-    "--at", "given", multiple=True, metavar="NAME=VALUE", help="Value of one axis; angles in radians. Repeat for each axis."
-)
-@click.option("--sun-zenith", type=float, help="Short for --at sun_zenith=VALUE.")
-@click.option("--turbidity", type=float, help="Short for --at turbidity=VALUE.")
-@click.option("--sun-azimuth", type=float, help="Radians from +x towards +y; 0 if it is not given.")
-@click.option("--bands", type=click.IntRange(1), help="Fewer bands than the table has.")
-@click.option("--window", is_flag=True, help="Apply the zonal window of the paper's eq. 5.")
-@click.option("--json", "as_json", is_flag=True, help="Print JSON instead of a table.")
-def evaluate(
-    table: Path,
-    given: tuple[str, ...],
-    sun_zenith: float | None,
-    turbidity: float | None,
-    sun_azimuth: float | None,
-    bands: int | None,
-    window: bool,
-    as_json: bool,
-) -> None:
-    """Print the SH weights of one sun from TABLE, an exported .npz.
-
-    Example: python -m pipeline evaluate reports/reference/export/skylight_sh.npz --sun-zenith 0.8 --turbidity 3
-    """
-    from pipeline import runtime, sphere
-
-    try:
-        loaded = runtime.load(table)
-    except ValueError as error:
-        raise BadInputError(str(error)) from error
-    values = _assignments(given)
-    for name, value in (("sun_zenith", sun_zenith), ("turbidity", turbidity), ("sun_azimuth", sun_azimuth)):
-        if value is not None and name in values:
-            raise BadInputError(f"{name} is given twice. Leave one of --at {name} and --{name.replace('_', '-')}.")
-        if value is not None:
-            values[name] = value
-    if "sun_azimuth" in loaded.inputs:
-        values.setdefault("sun_azimuth", 0.0)
-    needed = set(loaded.inputs)
-    if set(values) != needed:
-        missing, unknown = sorted(needed - set(values)), sorted(set(values) - needed)
-        told = [f"--at {name}=VALUE is missing" for name in missing] + [
-            f"{name} is no axis of this table" for name in unknown
-        ]
-        raise BadInputError(f"{'; '.join(told)}. The table's inputs are {', '.join(loaded.inputs)}.")
-    try:
-        weights, status = loaded.weights_and_status(bands=bands, window=window, **values)
-    except ValueError as error:
-        raise BadInputError(str(error)) from error
-    if status == runtime.INVALID:
-        raise BadInputError("An input is not a finite number. Give finite values.")
-    if status == runtime.CLAMPED:
-        ranges = ", ".join(f"{a.name} [{a.low:.6g}, {a.high:.6g}]" for a in loaded.table.axes)
-        click.echo(f"Warning: an input lies outside the table and was clamped: {ranges}.", err=True)
-    channels = loaded.table.channels
-    if as_json:
-        click.echo(json.dumps({channel: weights[i].tolist() for i, channel in enumerate(channels)}))
-        return
-    click.echo(f"{'l':>3}{'m':>4}" + "".join(f"{channel:>16}" for channel in channels))
-    degrees, orders = sphere.degrees_orders(round(weights.shape[-1] ** 0.5))
-    for k, (l, m) in enumerate(zip(degrees.tolist(), orders.tolist(), strict=True)):
-        click.echo(f"{l:>3}{m:>4}" + "".join(f"{weights[i, k]:>16.8g}" for i in range(len(channels))))
+main.add_command(evaluate)
+main.add_command(export)
 
 
 @main.group()
@@ -293,21 +229,6 @@ def _load(path: Path, overrides: dict[str, Any]) -> Config:
         return load(path, {key: value for key, value in overrides.items() if value is not None})
     except ConfigError as error:
         raise BadInputError(str(error)) from error
-
-
-def _assignments(given: tuple[str, ...]) -> dict[str, float]:
-    values = {}
-    for text in given:
-        name, separator, value = text.partition("=")
-        try:
-            values[name] = float(value)
-        except ValueError:
-            separator = ""
-        if given.count(text) > 1 or sum(other.partition("=")[0] == name for other in given) > 1:
-            raise BadInputError(f"--at {name} is given twice. Leave one of them.")
-        if not separator:
-            raise BadInputError(f"--at {text!r} is no NAME=VALUE with a number. Write for example --at turbidity=3.")
-    return values
 
 
 def _percent(fraction: float) -> str:

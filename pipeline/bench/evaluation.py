@@ -104,10 +104,7 @@ def section(samples: Samples, tables: Mapping[str, Table], repeats: int) -> Sect
     candidates = {LITERAL: literal(samples)}
     candidates |= {name: Candidate(compiled.header_of(table), table.bytes, table.bands) for name, table in tables.items()}
     candidates |= _lookups(samples)
-    first, *rest = [axis.name for axis in samples.config.axes]
-    inputs = {a.name: f"{a.range[0]:.9e}f + {a.range[1] - a.range[0]:.9e}f * x" for a in samples.config.axes}
-    arguments = ", ".join([inputs[first], "6.0f * x", *(inputs[name] for name in rest)])
-    source = _PROGRAM.format(calls=_CALLS, cold=_COLD, arguments=arguments)
+    source = program_of([(a.name, *a.range) for a in samples.config.axes], fixed_azimuth=False)
     warm: dict[str, list[float]] = {name: [] for name in candidates}
     cold: dict[str, list[float]] = {name: [] for name in candidates}
     with tempfile.TemporaryDirectory() as folder:
@@ -134,6 +131,13 @@ def section(samples: Samples, tables: Mapping[str, Table], repeats: int) -> Sect
         for name, candidate in candidates.items()
     ]
     return Section("evaluation", "Evaluation: error against time and bytes", TEXT, rows, _draw)
+
+
+def program_of(axes: Sequence[tuple[str, float, float]], fixed_azimuth: bool) -> str:
+    """Return a program that times a header over ``axes`` (name, low, high) and prints seconds a call, warm and cold."""
+    inputs = [f"{low:.9e}f + {high - low:.9e}f * x" for _, low, high in axes]
+    arguments = ", ".join([inputs[0], *([] if fixed_azimuth else ["6.0f * x"]), *inputs[1:]])
+    return _PROGRAM.format(calls=_CALLS, cold=_COLD, arguments=arguments)
 
 
 def _ratio(base: Sequence[float], other: Sequence[float]) -> float:

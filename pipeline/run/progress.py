@@ -33,5 +33,11 @@ def bar(title: str) -> Iterator[Advance]:
         progress.stop_task(task)
 
 
+@contextmanager
+def silent(_: str) -> Iterator[Advance]:
+    """Show nothing."""
+    yield _silent
+
+
 def _silent(_: int, __: int) -> None:
     """Tell nobody."""

@@ -1,5 +1,6 @@
 """Spherical harmonics: basis, indices, rotations and windows. Pure numerics."""
 
+from pipeline.sphere._axes import change_axes
 from pipeline.sphere._basis import basis, evaluate, legendre
 from pipeline.sphere._convolution import clamped_cosine
 from pipeline.sphere._indexing import check_bands, count, degrees_orders, flat_index, unmirror
@@ -8,6 +9,7 @@ from pipeline.sphere._windows import zonal_sinc
 
 __all__ = [
     "basis",
+    "change_axes",
     "check_bands",
     "clamped_cosine",
     "count",
