@@ -38,7 +38,15 @@ class Problem:
 
 def find(config: Config) -> list[Problem]:
     """Return every problem of a config that satisfies the schema."""
-    return [*_scene(config), *_axes(config), *_fit(config), *_winners(config), *_cases(config), *_names(config)]
+    return [
+        *_scene(config),
+        *_axes(config),
+        *_fit(config),
+        *_winners(config),
+        *_cases(config),
+        *_names(config),
+        *_export(config),
+    ]
 
 
 def _scene(config: Config) -> Iterator[Problem]:
@@ -200,3 +208,12 @@ def _names(config: Config) -> Iterator[Problem]:
         yield Problem(
             "$.export.recommended", config.export.recommended, f"No winner has this name. Use one of: {', '.join(names)}."
         )
+
+
+def _export(config: Config) -> Iterator[Problem]:
+    export = config.export
+    if not {"c", "npz"} <= set(export.targets):
+        yield Problem("$.export.targets", list(export.targets), 'Every run ships the header and the NPZ. Add "c" and "npz".')
+    own = export.prefix.startswith(("gl_", "webgl_")) or "__" in export.prefix or export.prefix.endswith("_")
+    if export.shaders and own:
+        yield Problem("$.export.prefix", export.prefix, "Shading languages reserve it: no gl_, webgl_, __ or _ at the end.")

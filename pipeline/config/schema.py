@@ -17,6 +17,7 @@ DType = Literal["float32", "float64"]
 BasisName = Literal["chebyshev", "legendre", "monomial", "fourier"]
 Picture = Literal["bands", "origins", "maps", "panoramas", "ringing", "bytes", "degrees"]
 SolverName = Literal["svd", "qr", "normal"]
+Target = Literal["c", "npz", "glsl", "hlsl", "wgsl"]
 
 
 class _Section(BaseModel):
@@ -107,6 +108,15 @@ class ExportSection(_Section):
         "skylight_sh", pattern=r"^[a-z][a-z0-9_]{0,31}$", description="prefix of every C symbol: lower-case C identifier"
     )
     recommended: str = Field(description="name of the table to recommend, e.g. 7-bands-0.1pct")
+    targets: tuple[Target, ...] = Field(
+        ("c", "npz"),
+        description="c and npz, always; glsl, hlsl, wgsl: shaders of tables of layout rows in float32, beside their header",
+    )
+
+    @property
+    def shaders(self) -> tuple[str, ...]:
+        """The shading languages among the targets, each once."""
+        return tuple(t for t in dict.fromkeys(self.targets) if t not in ("c", "npz"))
 
 
 class CaseSection(_Section):

@@ -1,4 +1,4 @@
-"""Export: every winner as a C header and an NPZ, and the summary that names them."""
+"""Export: every winner as a C header, an NPZ and the shaders asked for, and the summary that names them."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from typing import Any
 
 from pipeline.config.names import wanted
 from pipeline.config.schema import Config
-from pipeline.export import c_header, npz
+from pipeline.export import c_header, npz, shaders
 from pipeline.run.executors import Advance
 from pipeline.run.plan import Inputs, Step
 from pipeline.run.provenance import environment, settings
@@ -24,7 +24,7 @@ _CODE = ("light", "sphere", "fit", "table", "export", "config/names.py", "run/st
 
 def steps(config: Config) -> list[Step]:
     """Return the export's step."""
-    parameters = {"config": settings(config), "environment": environment()}
+    parameters = {"config": settings(config), "targets": config.export.targets, "environment": environment()}
     return [Step("export", "", _CODE, ("select",), parameters, partial(_make, config))]
 
 
@@ -85,6 +85,9 @@ def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
         )
         files[f"{row['path']}/skylight_sh.npz"] = npz.write(table)
         files[f"{row['path']}/skylight_sh.h"] = c_header.write(table, facts, config.export.prefix).encode()
+        for language in config.export.shaders if shaders.obstacle(table) is None else ():
+            text = shaders.write(table, facts, language, config.export.prefix)
+            files[f"{row['path']}/skylight_sh.{language}"] = text.encode()
     summary = {"config": settings(config), "recommended": config.export.recommended, "tables": rows}
     files["summary.json"] = (json.dumps(summary, indent=2) + "\n").encode()
     return to_dataset(files)

@@ -1,0 +1,218 @@
+"""Shading languages as data: how GLSL, HLSL and WGSL spell types, constants, locals, loops and functions.
+
+What they have in common (operators, components, ``if``, ``clamp``, ``floor``, elementary functions, comments) needs no
+description. Types are named here as the generator names them: ``real``, ``whole``, ``vec2``, ``vec3`` and ``vec4``.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+_INTEGER = re.compile(r"(?<![\w.\[])(?<!e[+-])\d+(?![\w.\]])")
+_SUFFIX = re.compile(r"(\d\.?\d*(?:e[+-]?\d+)?)f\b")
+_C_FUNCTION = re.compile(r"\b(tan|cos|sin|exp|log|sqrt|pow)f\b")
+_CONSTANT = re.compile(r"\bk\[(\d+)\]")
+_PLAIN = r"[^{}?=\"#]+"
+_STATEMENT = re.compile(
+    rf"(?:(?P<const>const )?float )?(?P<name>[a-z]\w*) = (?P<value>{_PLAIN})|return (?P<result>{_PLAIN})"
+)
+# Two underscores, and what these begin with, are the languages' own.
+_RESERVED_PREFIX = re.compile(r"gl_|webgl_|.*__|.*_$")
+
+
+@dataclass(frozen=True)
+class Dialect:
+    """One language: its types, and format strings over ``type``, ``name``, ``value``, ``items``, ``size`` and the like.
+
+    ``about`` says which versions compile the file; ``opening`` and ``closing`` (over ``guard``) enclose it.
+    """
+
+    title: str
+    extension: str
+    about: str
+    types: Mapping[str, str]
+    opening: str
+    closing: str
+    constant_form: str
+    constants_form: str
+    fixed_form: str
+    variable_form: str
+    array_form: str
+    loop_form: str
+    function_form: str
+    parameter_form: str
+    array_parameter_form: str
+    result_parameter_form: str
+    element_form: str
+
+    def constant(self, kind: str, name: str, value: object) -> str:
+        """Declare a global constant."""
+        return self.constant_form.format(type=self.types[kind], name=name, value=value)
+
+    def constants(self, kind: str, name: str, items: Sequence[str], a_line: int) -> str:
+        """Declare a global array of constants, ``a_line`` of them a line."""
+        lines = [", ".join(items[i : i + a_line]) for i in range(0, len(items), a_line)]
+        text = "\n    " + ",\n    ".join(lines) + "\n"
+        return self.constants_form.format(type=self.types[kind], name=name, size=len(items), items=text)
+
+    def fixed(self, kind: str, name: str, value: str) -> str:
+        """Declare a local that never changes."""
+        return self.fixed_form.format(type=self.types[kind], name=name, value=value)
+
+    def variable(self, kind: str, name: str, value: str) -> str:
+        """Declare a local that changes."""
+        return self.variable_form.format(type=self.types[kind], name=name, value=value)
+
+    def array(self, kind: str, name: str, size: int) -> str:
+        """Declare a local array, to be filled."""
+        return self.array_form.format(type=self.types[kind], name=name, size=size)
+
+    def loop(self, name: str, size: object) -> str:
+        """Open a loop of ``name`` over 0 to ``size`` - 1."""
+        return self.loop_form.format(name=name, size=size)
+
+    def function(self, kind: str, name: str, parameters: Sequence[str]) -> str:
+        """Head of a function that returns a ``kind``."""
+        return self.function_form.format(type=self.types[kind], name=name, parameters=", ".join(parameters))
+
+    def parameter(self, kind: str, name: str) -> str:
+        """Return a parameter passed in."""
+        return self.parameter_form.format(type=self.types[kind], name=name)
+
+    def array_parameter(self, kind: str, name: str, size: object) -> str:
+        """Return an array parameter passed in."""
+        return self.array_parameter_form.format(type=self.types[kind], name=name, size=size)
+
+    def result_parameter(self, kind: str, name: str, size: object) -> str:
+        """Return an array parameter that the function fills; see ``element``."""
+        return self.result_parameter_form.format(type=self.types[kind], name=name, size=size)
+
+    def element(self, name: str, index: object) -> str:
+        """Return an element of a ``result_parameter``."""
+        return self.element_form.format(name=name, index=index)
+
+    def vector(self, items: Sequence[str]) -> str:
+        """Return a vector of two to four scalars; one stays a scalar."""
+        return items[0] if len(items) == 1 else f"{self.types[f'vec{len(items)}']}({', '.join(items)})"
+
+    def statements(self, c_body: str, constants: Sequence[float]) -> list[str]:
+        """Translate a prefactor's C: declarations of floats, assignments and a return, over the array ``k``.
+
+        Raises ValueError for any other C.
+        """
+        return [line for part in c_body.split(";") if part.strip() for line in self._statement(part, constants)]
+
+    def _statement(self, text: str, constants: Sequence[float]) -> Iterator[str]:
+        parts = list(_split(" ".join(text.split())))
+        kind = re.match(r"(const )?float ", parts[0])
+        for i, part in enumerate(parts):
+            found = _STATEMENT.fullmatch(kind[0] + part if kind and i else part)
+            if not found or (i and not kind):
+                raise ValueError(f"Cannot translate the C statement {' '.join(text.split())!r} into {self.title}.")
+            if found["result"]:
+                yield f"return {expression(found['result'], constants)};"
+            elif kind:
+                declare = self.fixed if found["const"] else self.variable
+                yield declare("real", found["name"], expression(found["value"], constants))
+            else:
+                yield f"{found['name']} = {expression(found['value'], constants)};"
+
+
+def check_prefix(prefix: str) -> None:
+    """Raise ValueError where shading languages reserve ``prefix``."""
+    if _RESERVED_PREFIX.match(prefix):
+        raise ValueError(f"Invalid prefix {prefix!r} for shaders. Should not begin with gl_ or webgl_, hold __ or end in _.")
+
+
+def number(value: float) -> str:
+    """Return a float32 as a literal of every dialect."""
+    text = f"{float(np.float32(value)):.9g}"
+    return text if any(c in text for c in ".en") else text + ".0"
+
+
+def expression(c_expression: str, constants: Sequence[float]) -> str:
+    """Translate a C expression over ``k``: its constants stand in it, and whole numbers get the point the languages want."""
+    text = _INTEGER.sub(r"\g<0>.0", _SUFFIX.sub(r"\1", c_expression))
+    text = _C_FUNCTION.sub(r"\1", text)
+    return _CONSTANT.sub(lambda k: _enclosed(number(constants[int(k[1])])), text)
+
+
+def _enclosed(text: str) -> str:
+    """Keep a sign from meeting the operator before it."""
+    return f"({text})" if text.startswith("-") else text
+
+
+def _split(text: str) -> Iterator[str]:
+    """Split at the commas outside all brackets."""
+    depth, start = 0, 0
+    for i, c in enumerate(text):
+        depth += (c == "(") - (c == ")")
+        if c == "," and not depth:
+            yield text[start:i].strip()
+            start = i + 1
+    yield text[start:].strip()
+
+
+GLSL = Dialect(
+    title="GLSL",
+    extension="glsl",
+    about="GLSL ES 3.00 (WebGL 2) and GLSL 3.30 or newer; makes highp the default precision of floats and ints",
+    types={"real": "float", "whole": "int", "vec2": "vec2", "vec3": "vec3", "vec4": "vec4"},
+    opening="#ifndef {guard}_GLSL\n#define {guard}_GLSL\n"
+    "#ifdef GL_ES\nprecision highp float;\nprecision highp int;\n#endif\n\n",
+    closing="\n#endif // {guard}_GLSL\n",
+    constant_form="const {type} {name} = {value};",
+    constants_form="const {type} {name}[{size}] = {type}[{size}]({items});",
+    fixed_form="{type} {name} = {value};",
+    variable_form="{type} {name} = {value};",
+    array_form="{type} {name}[{size}];",
+    loop_form="for (int {name} = 0; {name} < {size}; ++{name}) {{",
+    function_form="{type} {name}({parameters})",
+    parameter_form="{type} {name}",
+    array_parameter_form="{type} {name}[{size}]",
+    result_parameter_form="out {type} {name}[{size}]",
+    element_form="{name}[{index}]",
+)
+HLSL = Dialect(
+    title="HLSL",
+    extension="hlsl",
+    about="HLSL, shader model 4 or newer",
+    types={"real": "float", "whole": "int", "vec2": "float2", "vec3": "float3", "vec4": "float4"},
+    opening="#ifndef {guard}_HLSL\n#define {guard}_HLSL\n\n",
+    closing="\n#endif // {guard}_HLSL\n",
+    constant_form="static const {type} {name} = {value};",
+    constants_form="static const {type} {name}[{size}] = {{{items}}};",
+    fixed_form="const {type} {name} = {value};",
+    variable_form="{type} {name} = {value};",
+    array_form="{type} {name}[{size}];",
+    loop_form="for (int {name} = 0; {name} < {size}; ++{name}) {{",
+    function_form="{type} {name}({parameters})",
+    parameter_form="{type} {name}",
+    array_parameter_form="{type} {name}[{size}]",
+    result_parameter_form="out {type} {name}[{size}]",
+    element_form="{name}[{index}]",
+)
+WGSL = Dialect(
+    title="WGSL",
+    extension="wgsl",
+    about="WGSL (WebGPU), no extension; pass &weights to fill a function's own array",
+    types={"real": "f32", "whole": "i32", "vec2": "vec2<f32>", "vec3": "vec3<f32>", "vec4": "vec4<f32>"},
+    opening="",
+    closing="",
+    constant_form="const {name}: {type} = {value};",
+    constants_form="const {name} = array<{type}, {size}>({items});",
+    fixed_form="let {name}: {type} = {value};",
+    variable_form="var {name}: {type} = {value};",
+    array_form="var {name}: array<{type}, {size}>;",
+    loop_form="for (var {name}: i32 = 0; {name} < {size}; {name}++) {{",
+    function_form="fn {name}({parameters}) -> {type}",
+    parameter_form="{name}: {type}",
+    array_parameter_form="{name}: array<{type}, {size}>",
+    result_parameter_form="{name}: ptr<function, array<{type}, {size}>>",
+    element_form="(*{name})[{index}]",
+)
+DIALECTS: Mapping[str, Dialect] = {dialect.extension: dialect for dialect in (GLSL, HLSL, WGSL)}

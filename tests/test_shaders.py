@@ -1,0 +1,176 @@
+"""Shaders: compiled by glslang and Tint, run in software, held against the runtime; and what they refuse."""
+
+from __future__ import annotations
+
+import dataclasses
+import tomllib
+from pathlib import Path
+
+import numpy as np
+import pytest
+import shader_tools
+from conftest import ROOT, SMALL, run_quietly
+from numpy.typing import NDArray
+
+from pipeline import runtime, sphere
+from pipeline.config import ConfigError, load, loading
+from pipeline.export import npz, shaders
+from pipeline.export.shader_dialects import DIALECTS, GLSL, WGSL, expression
+from pipeline.fit.axes import Axis
+from pipeline.run.runner import Result
+from pipeline.table.factor import Reciprocal
+from pipeline.table.table import Frame, Table, fast
+
+Floats = NDArray[np.float32]
+Array = NDArray[np.float64]
+REFERENCE = ROOT / "reports" / "reference" / "export" / "skylight_sh.npz"
+AXES = (
+    Axis("sun_zenith", 0.0, 1.0, map="cbrt", point=1.0),
+    Axis("albedo", -1.0, 2.0, map="log", point=-2.0),
+    Axis("haze", 0.0, 3.0),
+)
+# Each: axes, channels, bands, whether mirrored, basis, whether over a polynomial.
+MADE = {
+    "one-band": (1, 1, 1, True, "chebyshev", False),
+    "all-orders": (1, 1, 3, False, "legendre", False),
+    "three-axes": (3, 2, 5, True, "fourier", False),
+    "over-polynomial": (2, 3, 3, True, "chebyshev", True),
+    "monomials": (2, 3, 9, False, "monomial", False),
+}
+
+
+def made(axes: int, channels: int, bands: int, mirrored: bool, basis: str, over: bool) -> Table:
+    rng = np.random.default_rng(axes)
+    degrees = (5, 3, 2)[:axes]
+    numbers = np.array([2.0, 0.3, -0.1]).reshape(3, *(1,) * (axes - 1)).astype(np.float32)
+    frame = Frame(AXES[:axes], ("a", "b", "c")[:channels], mirrored, basis, Reciprocal(numbers) if over else None)
+    dense = rng.normal(size=(channels, sphere.count(bands, mirrored=mirrored), *(d + 1 for d in degrees)))
+    lengths = rng.integers(0, degrees[0] + 2, size=dense.shape[3:])
+    lengths.flat[0] = 2
+    return fast(frame, dense, lengths, bands, "float32")
+
+
+def tables() -> dict[str, Table]:
+    return {"preetham": npz.read(REFERENCE)} | {name: made(*given) for name, given in MADE.items()}
+
+
+def drawn(table: Table) -> Floats:
+    """Twenty parameter sets, some of them beyond the ranges."""
+    rng = np.random.default_rng(4)
+    beyond = [0.4 * (axis.high - axis.low) * (np.arange(20) % 3 == 0) for axis in table.axes]
+    columns = [rng.uniform(a.low - far, a.high + far) for a, far in zip(table.axes, beyond, strict=True)]
+    columns.insert(1, rng.uniform(-10, 10, 20))
+    return np.stack(columns, axis=-1).astype(np.float32)
+
+
+def directions() -> Floats:
+    """Fifty unit vectors, the poles and a horizontal one among them."""
+    found = np.random.default_rng(5).normal(size=(50, 3))
+    found[:3] = [[0, 0, 1], [0, 0, -1], [1, 0, 0]]
+    return (found / np.linalg.norm(found, axis=-1, keepdims=True)).astype(np.float32)
+
+
+def lobe(bands: int) -> Array:
+    """The clamped cosine's factors of degrees 0 to bands - 1, by quadrature."""
+    nodes, weights = np.polynomial.legendre.leggauss(64)
+    height = (nodes + 1) / 2
+    legendre = np.polynomial.legendre.legvander(height, bands - 1)
+    return np.asarray(np.pi * (weights * height) @ legendre)
+
+
+@pytest.fixture(scope="module")
+def images(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Floats]:
+    folder = tmp_path_factory.mktemp("shaders")
+    programs = {}
+    for name, table in tables().items():
+        for language in DIALECTS:
+            one = shader_tools.program(table, language, drawn(table), directions())
+            programs[f"{name}.{language}"] = shader_tools.as_glsl(one, folder) if language == "hlsl" else one
+    return shader_tools.run(programs, folder)
+
+
+@pytest.mark.tools
+@pytest.mark.parametrize("language", DIALECTS)
+@pytest.mark.parametrize("name", ["preetham", *MADE])
+def test_shaders_agree_with_the_runtime(images: dict[str, Floats], name: str, language: str) -> None:
+    table = tables()[name]
+    image = images[f"{name}.{language}"].astype(np.float64)
+    weights, status = runtime.Runtime(table).weights_and_status(*drawn(table).T.astype(np.float64))
+    assert set(status.tolist()) == {0, 1}
+    assert np.array_equal(image[..., 3], np.broadcast_to(status[:, np.newaxis], image.shape[:2]))
+
+    degrees, _ = sphere.degrees_orders(table.bands)
+    basis = sphere.basis(directions().astype(np.float64), table.bands)
+    bent = weights * lobe(table.bands)[degrees]
+    expected = np.concatenate([weights, weights @ basis.T, bent @ basis.T], axis=-1)
+    got = image[..., : len(table.channels)].swapaxes(1, 2)
+    assert got.shape == expected.shape
+    assert np.abs(got - expected).max() < 1e-5 * np.abs(weights).max()
+
+
+@pytest.mark.tools
+@pytest.mark.parametrize("name", ["preetham", "three-axes"])
+def test_glslang_takes_every_flavour(tmp_path: Path, name: str) -> None:
+    table = tables()[name]
+    glsl = shader_tools.program(table, "glsl", drawn(table), directions()).source
+    shader_tools.glslang(glsl, tmp_path / "es.frag")
+    for version in ("330", "450"):
+        shader_tools.glslang(glsl.replace("300 es", version, 1), tmp_path / f"{version}.frag")
+    # Two tables in one program.
+    both = [shaders.write(table, shader_tools.FACTS, "glsl", prefix) for prefix in ("day_sh", "night_sh", "day_sh")]
+    shader_tools.glslang("\n".join(["#version 300 es", *both, "void main() {}"]), tmp_path / "both.frag")
+
+
+def test_what_cannot_become_a_shader_is_refused(small_run: Result) -> None:
+    folders = {row["name"]: small_run.folder / row["path"] for row in small_run.summary["tables"]}
+    for name, why in {"4-bands-1pct-packed": "layout is packed", "3-bands-degrees-6-4-float64": "float64"}.items():
+        table = npz.read(folders[name] / "skylight_sh.npz")
+        with pytest.raises(ValueError, match=why):
+            shaders.write(table, shader_tools.FACTS, "glsl")
+    table = made(*MADE["one-band"])
+    with pytest.raises(ValueError, match="5 channels"):
+        shaders.write(dataclasses.replace(table, channels=tuple("abcde")), shader_tools.FACTS, "wgsl")
+    for prefix in ("gl_sky", "a__b", "sky_", "Sky"):
+        with pytest.raises(ValueError, match="Invalid prefix"):
+            shaders.write(table, shader_tools.FACTS, "hlsl", prefix)
+
+
+def test_c_becomes_a_dialect() -> None:
+    body = "const float a = k[0] * x - 1,\n b = fma(x, 2.0f);\nfloat c = a;\nc = expf(c * k[1]);\nreturn 1e-05f * c;"
+    assert WGSL.statements(body, (-0.5, 3.0)) == [
+        "let a: f32 = (-0.5) * x - 1.0;",
+        "let b: f32 = fma(x, 2.0);",
+        "var c: f32 = a;",
+        "c = exp(c * 3.0);",
+        "return 1e-05 * c;",
+    ]
+    assert GLSL.statements("float c = k[0], d = 2;", (0.25,)) == ["float c = 0.25;", "float d = 2.0;"]
+    assert expression("k[1] * (v - k[0]) - 1", (1e-6, 2.0)) == "2.0 * (v - 9.99999997e-07) - 1.0"
+    for text in ("if (x < 0) x = 0;", "return x > 0 ? x : 0;", "int n = 3;", "x += 1;"):
+        with pytest.raises(ValueError, match="Cannot translate"):
+            GLSL.statements(text, ())
+
+
+def test_a_run_publishes_the_shaders_it_is_asked_for(small_run: Result, tmp_path: Path) -> None:
+    assert not [path for path in small_run.folder.rglob("skylight_sh.*") if path.suffix not in (".h", ".npz")]
+    config = load(SMALL)
+    asked = config.model_copy(
+        update={"export": config.export.model_copy(update={"targets": ("c", "npz", "glsl", "hlsl", "wgsl")})}
+    )
+    found = run_quietly(asked, tmp_path)
+    for row in found.summary["tables"]:
+        expected = {"h", "npz"} | (set(DIALECTS) if row["layout"] == "rows" and row["dtype"] == "float32" else set())
+        files = (found.folder / row["path"]).glob("skylight_sh.*")
+        assert {path.suffix[1:] for path in files} == expected, row["name"]
+    text = (found.folder / "export" / "skylight_sh.wgsl").read_text(encoding="utf-8")
+    assert "CC0-1.0" in text
+    assert "config small, table 4-bands-1pct" in text
+    # Which files tell of a table changes no table.
+    assert found.summary == small_run.summary
+
+
+def test_targets_are_checked() -> None:
+    raw = tomllib.loads(SMALL.read_text(encoding="utf-8"))
+    raw["export"] |= {"targets": ["glsl"], "prefix": "a__b"}
+    with pytest.raises(ConfigError, match=r"(?s)export\.targets.*export\.prefix"):
+        loading.parse(raw, "small")
