@@ -3,7 +3,7 @@ CONFIG ?= configs/preetham.toml
 PYTHON ?= python3
 RUN := .venv/bin/python -m pipeline
 
-.PHONY: help fit test conformance bench stability lint reference clean
+.PHONY: help fit test conformance bench stability fuzz lint reference clean
 
 help: ## List the targets
 	@grep -E '^[a-z]+:.*## ' Makefile | sed -E 's/^([a-z]+):.*## /\1: /' | column -t -s ':' || true
@@ -22,6 +22,9 @@ bench: .venv/run.stamp ## Measure error against time
 
 stability: .venv/dev.stamp ## Stress the numerics
 	@$(RUN) stability $(CONFIG)
+
+fuzz: .venv/run.stamp ## Call headers with 10^7 inputs of any bits each (twenty minutes; needs gcc and clang)
+	@.venv/bin/python -m pipeline.stability.fuzz 1e7
 
 lint: .venv/dev.stamp ## Check style and types
 	@.venv/bin/ruff check . && .venv/bin/ruff format --check . && .venv/bin/mypy

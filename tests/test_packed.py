@@ -64,6 +64,11 @@ def _sampled(count: int) -> Sampled:
     return Sampled(np.polynomial.chebyshev.chebvander(u, 9), truth)
 
 
+def test_a_number_beyond_what_the_header_reads_is_refused() -> None:
+    with pytest.raises(ValueError, match="whole numbers up to 1073741823, not 1073741824"):
+        packed.pack(np.full((1, 1, 1, 1), 1 << 30), np.zeros(1, dtype=np.int64))
+
+
 def test_rounding_in_the_metric_beats_plain_rounding() -> None:
     plainly = _sampled(40)
     # Sets that count differently: the metric is no longer that of the basis.

@@ -17,7 +17,7 @@ DType = Literal["float32", "float64"]
 BasisName = Literal["chebyshev", "legendre", "monomial", "fourier"]
 Picture = Literal["bands", "origins", "maps", "panoramas", "ringing", "bytes", "degrees"]
 SolverName = Literal["svd", "qr", "normal"]
-Target = Literal["c", "npz", "glsl", "hlsl", "wgsl"]
+Target = Literal["c", "npz", "glsl", "hlsl", "wgsl", "vectors"]
 
 
 class _Section(BaseModel):
@@ -110,13 +110,14 @@ class ExportSection(_Section):
     recommended: str = Field(description="name of the table to recommend, e.g. 7-bands-0.1pct")
     targets: tuple[Target, ...] = Field(
         ("c", "npz"),
-        description="c and npz, always; glsl, hlsl, wgsl: shaders of tables of layout rows in float32, beside their header",
+        description="c and npz, always; glsl, hlsl, wgsl: shaders of tables of layout rows in float32; vectors: test "
+        "vectors and a C program that holds the header against them",
     )
 
     @property
     def shaders(self) -> tuple[str, ...]:
         """The shading languages among the targets, each once."""
-        return tuple(t for t in dict.fromkeys(self.targets) if t not in ("c", "npz"))
+        return tuple(t for t in dict.fromkeys(self.targets) if t not in ("c", "npz", "vectors"))
 
 
 class CaseSection(_Section):

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
+from jinja2 import Environment, PackageLoader, StrictUndefined, Template, select_autoescape
 
 from pipeline import __version__
 from pipeline.export import c_rows
@@ -18,7 +18,7 @@ from pipeline.light import PREFACTORS
 from pipeline.table.factor import ClosedForm, Reciprocal
 from pipeline.table.packed import Packed
 from pipeline.table.rows import Rows
-from pipeline.table.table import SLACK, Table
+from pipeline.table.table import Table
 
 PREFIX = re.compile(r"[a-z][a-z0-9_]{0,31}")
 
@@ -60,7 +60,7 @@ def write(table: Table, facts: Facts, prefix: str = "skylight_sh") -> str:
     quantity, unit, notes = _about(table)
     turned = "0.0f" if table.azimuth is None else _single(table.azimuth)
     fast = isinstance(table.body, Rows)
-    return _TEMPLATES.get_template("skylight_sh.h.j2").render(
+    return template("skylight_sh.h.j2").render(
         p=prefix,
         P=prefix.upper(),
         version=__version__,
@@ -105,6 +105,11 @@ def write(table: Table, facts: Facts, prefix: str = "skylight_sh") -> str:
     )
 
 
+def template(name: str) -> Template:
+    """Return a template of C text."""
+    return _TEMPLATES.get_template(name)
+
+
 def _about(table: Table) -> tuple[str, str, list[str]]:
     """Return what the weights are, their unit, and what else a reader must know."""
     notes = []
@@ -124,7 +129,7 @@ def _about(table: Table) -> tuple[str, str, list[str]]:
 
 def _axes(table: Table, prefix: str, suffix: str, number: Number) -> list[dict[str, object]]:
     found: list[dict[str, object]] = []
-    for axis, degree in zip(table.axes, table.degrees, strict=True):
+    for axis, degree, (first, last) in zip(table.axes, table.degrees, table.float32_limits(), strict=True):
         expression = MAPS[axis.map].c_expression
         found.append(
             {
@@ -143,7 +148,8 @@ def _axes(table: Table, prefix: str, suffix: str, number: Number) -> list[dict[s
                 "high": number(axis.high),
                 "wide_low": _double(axis.low),
                 "wide_high": _double(axis.high),
-                "slack": number(SLACK * max(axis.high - axis.low, 1.0)),
+                "first": _single(first),
+                "last": _single(last),
             }
         )
     return found

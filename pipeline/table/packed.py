@@ -30,6 +30,7 @@ Index = NDArray[np.int64]
 
 _FIELD = 5
 _LARGEST = (1 << _FIELD) - 1
+_LARGEST_NUMBER = (1 << 30) - 1
 _ROUNDS = 6
 # A typical number's folded magnitude exceeds the best Rice divisor by this many half bits.
 _ABOVE_DIVISOR = 1.2
@@ -152,10 +153,12 @@ def cost(numbers: Index, degrees: Index) -> int:
 def pack(numbers: Index, degrees: Index, step: float = 1.0) -> Packed:
     """Pack whole numbers ``(count, channels, first, rest)`` of weights in flat order, ``degrees`` ``(count,)`` rising.
 
-    Raises ValueError where the first axis has more terms than a length field holds.
+    Raises ValueError where the first axis has more terms than a length field holds, or a number is no C ``int`` once folded.
     """
     if numbers.shape[2] > _LARGEST:
         raise ValueError(f"A packed table holds at most {_LARGEST} terms of its first axis, not {numbers.shape[2]}.")
+    if numbers.size and np.abs(numbers).max() > _LARGEST_NUMBER:
+        raise ValueError(f"A packed table holds whole numbers up to {_LARGEST_NUMBER}, not {np.abs(numbers).max()}.")
     layout = _lay_out(numbers, degrees)
     profiles = _profiles(layout, numbers.shape[2])
     used = _used(layout, degrees)

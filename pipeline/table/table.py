@@ -127,11 +127,30 @@ class Table:
 
     def clamp(self, values: Array) -> tuple[Array, NDArray[np.bool_]]:
         """Clamp ``(n, axes)`` to the ranges; the second result marks sets with a value beyond the slack."""
+        first, last = self._limits
+        outside = np.any((values < first) | (values > last), axis=-1)
+        return np.clip(values, [axis.low for axis in self.axes], [axis.high for axis in self.axes]), outside
+
+    def float32_limits(self) -> list[tuple[float, float]]:
+        """Return, for each axis, the first and the last float32 that count as inside.
+
+        A target that works in float32 compares with these: range plus slack, rounded, would disagree by one number.
+        """
+        found = []
+        for first, last in np.transpose(self._limits):
+            up, down = np.float32(first), np.float32(last)
+            up = up if up >= first else np.nextafter(up, np.float32(np.inf))
+            down = down if down <= last else np.nextafter(down, np.float32(-np.inf))
+            found.append((float(up), float(down)))
+        return found
+
+    @property
+    def _limits(self) -> tuple[Array, Array]:
+        """Least and largest value of each axis that counts as inside."""
         low = np.array([axis.low for axis in self.axes])
         high = np.array([axis.high for axis in self.axes])
         slack = SLACK * np.maximum(high - low, 1.0)
-        outside = np.any((values < low - slack) | (values > high + slack), axis=-1)
-        return np.clip(values, low, high), outside
+        return low - slack, high + slack
 
 
 def products(basis: str, axes: Sequence[Axis], values: Floats, degrees: Sequence[int]) -> Floats:

@@ -11,7 +11,7 @@ from typing import Any
 
 from pipeline.config.names import wanted
 from pipeline.config.schema import Config
-from pipeline.export import c_header, npz, shaders
+from pipeline.export import c_header, npz, shaders, vectors
 from pipeline.run.executors import Advance
 from pipeline.run.plan import Inputs, Step
 from pipeline.run.provenance import environment, settings
@@ -19,7 +19,10 @@ from pipeline.run.stages.files import to_dataset
 from pipeline.store.dataset import Dataset
 from pipeline.table.table import Table
 
-_CODE = ("light", "sphere", "fit", "table", "export", "config/names.py", "run/stages/export.py", "run/stages/files.py")
+_CODE = (
+    *("light", "sphere", "fit", "table", "export", "runtime.py"),
+    *("config/names.py", "run/stages/export.py", "run/stages/files.py"),
+)
 
 
 def steps(config: Config) -> list[Step]:
@@ -85,6 +88,9 @@ def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
         )
         files[f"{row['path']}/skylight_sh.npz"] = npz.write(table)
         files[f"{row['path']}/skylight_sh.h"] = c_header.write(table, facts, config.export.prefix).encode()
+        if "vectors" in config.export.targets:
+            files[f"{row['path']}/skylight_sh_vectors.txt"] = vectors.write(table).encode()
+            files[f"{row['path']}/skylight_sh_selftest.c"] = vectors.self_test(table, config.export.prefix).encode()
         for language in config.export.shaders if shaders.obstacle(table) is None else ():
             text = shaders.write(table, facts, language, config.export.prefix)
             files[f"{row['path']}/skylight_sh.{language}"] = text.encode()

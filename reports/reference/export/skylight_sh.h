@@ -27,7 +27,7 @@
  *
  * Provenance
  *   config preetham, table 7-bands-0.1pct
- *   selection e5853cb8db55595cbb69466353ea7de2a8aaa9be508bb1cd6ab06f92bb30b294
+ *   selection 00aa2f8de48f30356a59652973be0f76f7a7d6a8c212e98b096565ba974aded1
  *   python 3.11.7, numpy 2.4.6, scipy 1.17.1, h5py 3.16.0, dask 2026.8.0
  *   x86_64: AVX512_ICL X86_V2 X86_V3 X86_V4
  */
@@ -690,8 +690,8 @@ static inline int skylight_sh_kind(float v)
     return (bits >= 0x7f800000u) + (bits > 0x7f800000u);
 }
 
-/* Clamps v to [low, high]; *status becomes 1 where v lay beyond the slack. An infinity is made finite by its sign bit. */
-static inline skylight_sh_real skylight_sh_clamp(float v, skylight_sh_real low, skylight_sh_real high, skylight_sh_real slack, int *status)
+/* Clamps v to [low, high]; *status becomes 1 where v is not in [first, last]. An infinity is made finite by its sign bit. */
+static inline skylight_sh_real skylight_sh_clamp(float v, float first, float last, skylight_sh_real low, skylight_sh_real high, int *status)
 {
     skylight_sh_real x;
     if (skylight_sh_kind(v)) {
@@ -699,8 +699,8 @@ static inline skylight_sh_real skylight_sh_clamp(float v, skylight_sh_real low, 
         memcpy(&bits, &v, sizeof bits);
         v = bits >> 31 ? -3e38f : 3e38f;
     }
+    *status |= (v < first) | (v > last);
     x = (skylight_sh_real)v;
-    *status |= (x < low - slack) | (x > high + slack);
     x = x < low ? low : x;
     return x > high ? high : x;
 }
@@ -847,8 +847,8 @@ static inline int skylight_sh_inputs(float sun_zenith, float sun_azimuth, float 
     if (skylight_sh_kind(sun_azimuth) | skylight_sh_kind(sun_zenith) | skylight_sh_kind(turbidity)) {
         if (skylight_sh_kind(sun_azimuth) != 0 || skylight_sh_kind(sun_zenith) == 2 || skylight_sh_kind(turbidity) == 2) return 2;
     }
-    x[0] = skylight_sh_clamp(sun_zenith, 0.0f, 1.57079637f, 1.57079637e-06f, &status);
-    x[1] = skylight_sh_clamp(turbidity, 2.5f, 6.0f, 3.50000005e-06f, &status);
+    x[0] = skylight_sh_clamp(sun_zenith, -1.57079626e-06f, 1.5707978f, 0.0f, 1.57079637f, &status);
+    x[1] = skylight_sh_clamp(turbidity, 2.49999666f, 6.00000334f, 2.5f, 6.0f, &status);
     return status;
 }
 
@@ -894,7 +894,7 @@ static inline int skylight_sh_weights_batch(int count, const float *sun_zenith, 
             memset(weights[s], 0, sizeof weights[s]);
             continue;
         }
-        for (i = 1; i < SKYLIGHT_SH_AXES; ++i) ready = ready && x[i] == known[i];
+        ready = ready && !memcmp(x + 1, known + 1, sizeof *x * (SKYLIGHT_SH_AXES - 1));
         if (!ready) {
             /* The rows summed over the other axes once, for all suns that share them. */
             skylight_sh_real rest[6];
