@@ -169,6 +169,40 @@ def test_a_scene_that_cannot_be_is_refused(tmp_path: Path, scene: str, message: 
         config_of(tmp_path, scene)
 
 
+@pytest.mark.parametrize("mirrored", [True, False])
+def test_ground_equals_its_integral(mirrored: bool) -> None:
+    bands = 9
+    x, w = np.polynomial.legendre.leggauss(60)
+    z, solid = np.concatenate([(x - 1) / 2, (x + 1) / 2]), np.tile(w / 2, 2)
+    phi = (np.arange(64) + 0.5) * np.pi / 32
+    flat = np.sqrt((1 - z) * (1 + z))[:, np.newaxis]
+    where = np.stack([flat * np.cos(phi), flat * np.sin(phi), z[:, np.newaxis] + 0 * phi], axis=-1).reshape(-1, 3)
+    weight = np.repeat(solid, phi.size) * np.pi / 32
+    basis = sphere.basis(where, bands, mirrored=mirrored)
+    sky = np.where(where[:, 2] > 0, 1 + 0.5 * where[:, 0] + np.exp(where[:, 2]), 0.0)
+    black = (sky * weight) @ basis
+    irradiance = float(np.sum(sky * weight * np.maximum(where[:, 2], 0.0)))
+    lit = np.where(where[:, 2] > 0, sky, 0.3 * irradiance / np.pi)
+    got = sphere.add_ground(black[np.newaxis], [0.3], bands, mirrored=mirrored)[0]
+    assert np.abs(got - (lit * weight) @ basis).max() < 1e-12
+    image = np.where(where[:, 2] > 0, sky, 1 + 0.5 * where[:, 0] + np.exp(-where[:, 2]))
+    assert np.abs(sphere.mirror_ground(black, bands, mirrored=mirrored) - (image * weight) @ basis).max() < 1e-12
+    with pytest.raises(ValueError, match="two bands"):
+        sphere.add_ground(np.ones(1), 0.3, 1)
+
+
+@pytest.mark.parametrize("ground", ['"mirror"', "[0.1, 0.2, 0.3]"])
+def test_ground_is_folded_and_lessens_ringing(tmp_path: Path, plain: runtime.Runtime, ground: str) -> None:
+    result = run_quietly(config_of(tmp_path, f"ground = {ground}"), tmp_path)
+    radiance = plain.weights(*SUNS.T).astype(np.float64)
+    expected = sphere.mirror_ground(radiance, 4) if "mirror" in ground else sphere.add_ground(radiance, [0.1, 0.2, 0.3], 4)
+    close(loaded(result).weights(*SUNS.T), expected)
+    least = next(row["least"] for row in result.summary["tables"] if row["path"] == "export")
+    assert least > -0.12
+    header = (result.folder / "export" / "skylight_sh.h").read_text(encoding="utf-8")
+    assert ("mirror image" if "mirror" in ground else "albedo 0.1, 0.2, 0.3") in header
+
+
 PROGRAM = """
 #include <stdio.h>
 #include "{folder}/skylight_sh.h"
@@ -178,6 +212,7 @@ int main(void)
     static float w[SKYLIGHT_SH_CHANNELS][SKYLIGHT_SH_WEIGHTS];
     static float g[SKYLIGHT_SH_AXES][SKYLIGHT_SH_CHANNELS][SKYLIGHT_SH_WEIGHTS];
     static float batch[SUNS][SKYLIGHT_SH_CHANNELS][SKYLIGHT_SH_WEIGHTS], zenith[SUNS], azimuth[SUNS], turbidity[SUNS];
+    static const float albedo[3] = {{ 0.1f, 0.2f, 0.3f }};
     float direction[3];
     int i, c, k;
     double worst = 0.0, largest = 0.0;
@@ -203,6 +238,8 @@ int main(void)
     printf("%.9g\\n", worst / largest);
     skylight_sh_weights(0.9f, 0.4f, 3.3f, w);
     skylight_sh_dominant(w, direction);
+    skylight_sh_ground(albedo, w);
+    for (i = 0; i < SKYLIGHT_SH_BANDS; ++i) printf("%.9g\\n", (double)w[2][i * (i + 1)]);
     for (i = 0; i < 3; ++i) printf("%.9g\\n", (double)direction[i]);
     return 0;
 }}
@@ -216,8 +253,14 @@ def test_gradient_batch_and_dominant_direction(small_run: Result, tmp_path: Path
     (tmp_path / "g.c").write_text(PROGRAM.format(folder=folder), encoding="utf-8")
     subprocess.run(["gcc", "-std=c99", *STRICT, str(tmp_path / "g.c"), "-o", str(tmp_path / "g"), "-lm"], check=True)
     out = subprocess.run([str(tmp_path / "g")], capture_output=True, text=True, check=True).stdout
-    *gradient, batch, x, y, z = [float(v) for v in out.split()]
+    *gradient, x, y, z = [float(v) for v in out.split()]
+    ground = gradient[-table.table.bands :]
+    bands = table.table.bands
+    *gradient, batch = gradient[: 2 * 3 * bands * bands + 1]
     assert batch < 2e-6
+    grounded = sphere.add_ground(table.weights(0.9, 0.4, 3.3).astype(np.float64), [0.1, 0.2, 0.3], bands)[2]
+    zonal = [l * (l + 1) for l in range(bands)]
+    assert ground == pytest.approx(grounded[zonal].tolist(), rel=1e-5, abs=1e-5 * float(np.abs(grounded).max()))
     at = np.array([0.9, 0.4, 3.3])
     # Central differences of a table in single precision are rough: wide steps, and their next term taken away.
     expected = []

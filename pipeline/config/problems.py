@@ -61,6 +61,14 @@ def _scene(config: Config) -> Iterator[Problem]:
         elif any(axis.name == name for axis in config.axes):
             yield Problem(path, value, f"A fixed parameter is no axis. Remove the [[axes]] table of {name}, or fix nothing.")
 
+    ground, channels = config.scene.ground, len(config.source.channels)
+    if not isinstance(ground, str) and len(ground) != channels:
+        yield Problem(
+            "$.scene.ground", list(ground), f"Give one albedo for each of {channels} channels, or black or mirror."
+        )
+    if not isinstance(ground, str) and config.truth.bands < 2:
+        yield Problem("$.scene.ground", list(ground), "A lit ground needs truth.bands of at least 2.")
+
 
 def _axes(config: Config) -> Iterator[Problem]:
     domains = {name: domain for name, domain in config.light.domains.items() if name not in config.scene.fixed}

@@ -151,6 +151,11 @@ class SceneSection(_Section):
     quantity: Literal["radiance", "irradiance"] = Field(
         "radiance", description="radiance (for precomputed transfer), or diffuse irradiance in lux, not divided by pi"
     )
+    ground: Literal["black", "mirror"] | tuple[Annotated[float, Field(ge=0.0, le=1.0)], ...] = Field(
+        "black",
+        description="below the horizon: black (the paper), mirror (the sky again), or one albedo a channel, 0 to 1, of an "
+        "even ground lit by the sky",
+    )
     window: bool = Field(False, description="fold the zonal window of eq. 5 into the weights")
     fixed: dict[str, float] = Field({}, description="parameters that never change, e.g. { turbidity = 3.0 }")
     azimuth: float | None = Field(None, description="the sun's azimuth in radians, if it never changes")

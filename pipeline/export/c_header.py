@@ -15,6 +15,7 @@ from pipeline.export.c_rows import Number
 from pipeline.fit.bases import BASES
 from pipeline.fit.maps import MAPS
 from pipeline.light import PREFACTORS
+from pipeline.sphere import lower_hemisphere
 from pipeline.table.factor import ClosedForm, Reciprocal
 from pipeline.table.packed import Packed
 from pipeline.table.rows import Rows
@@ -74,6 +75,8 @@ def write(table: Table, facts: Facts, prefix: str = "skylight_sh") -> str:
         notes=notes,
         fixed_azimuth=table.azimuth is not None,
         windowed=table.windowed,
+        ground=_GROUND.get(table.ground, f"an even ground of {table.ground}, lit by the sky"),
+        ground_added=_lower(table),
         e_mean=facts.e_mean,
         e_max=facts.e_max,
         l_min=_L_MIN.get(facts.l_min, _comment(facts.l_min)),
@@ -103,6 +106,16 @@ def write(table: Table, facts: Facts, prefix: str = "skylight_sh") -> str:
         arrays=", ".join(f"const float *{name}" for name in inputs),
         elements=", ".join(f"{name}[s]" for name in inputs),
     )
+
+
+_GROUND = {"black": "black", "mirror": "the sky's mirror image"}
+
+
+def _lower(table: Table) -> list[str]:
+    """Return the zonal weights of an even ground, where one can be added to the table's weights at run time."""
+    if table.bands < 2 or table.ground != "black" or table.windowed or table.quantity != "radiance":
+        return []
+    return [_single(value) for value in lower_hemisphere(table.bands).tolist()]
 
 
 def template(name: str) -> Template:

@@ -44,6 +44,7 @@ def write(table: Table) -> bytes:
         "quantity": table.quantity,
         "windowed": table.windowed,
         "azimuth": table.azimuth,
+        "ground": table.ground,
         "provenance": table.provenance,
     }
     arrays["denominator"] = table.factor.coefficients if isinstance(table.factor, Reciprocal) else _NONE
@@ -115,4 +116,5 @@ def _table(header: dict[str, Any], archive: Mapping[str, NDArray[Any]]) -> Table
         quantity=header["quantity"],
         windowed=header["windowed"],
         azimuth=header["azimuth"],
+        ground=header["ground"],
     )

@@ -34,7 +34,8 @@ class Table:
     ``degrees`` are the largest ones, an axis; ``body`` holds the coefficients, laid out for speed (``Rows``) or for size
     (``Packed``). Weights are those of order m >= 0 where ``mirrored``, else all N*N. ``factor`` multiplies the polynomials.
     ``provenance`` is JSON-like and says where the table comes from. ``quantity`` is radiance or irradiance; ``windowed``
-    says that the window of eq. 5 is in the weights; ``azimuth`` is the sun's where it is no input (radians).
+    says that the window of eq. 5 is in the weights; ``azimuth`` is the sun's where it is no input (radians);
+    ``ground`` says what is below the horizon.
     """
 
     axes: tuple[Axis, ...]
@@ -49,6 +50,7 @@ class Table:
     quantity: str = "radiance"
     windowed: bool = False
     azimuth: float | None = None
+    ground: str = "black"
 
     @property
     def dtype(self) -> np.dtype[np.floating]:
@@ -174,6 +176,7 @@ class Frame:
     quantity: str = "radiance"
     windowed: bool = False
     azimuth: float | None = None
+    ground: str = "black"
 
     def table(self, bands: int, degrees: tuple[int, ...], body: Rows | Packed) -> Table:
         """Return a table of this frame."""
@@ -189,6 +192,7 @@ class Frame:
             quantity=self.quantity,
             windowed=self.windowed,
             azimuth=self.azimuth,
+            ground=self.ground,
         )
 
 

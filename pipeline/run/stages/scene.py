@@ -1,4 +1,4 @@
-"""What a scene wants of the weights, folded in before the fit: irradiance, and the window."""
+"""What a scene wants of the weights, folded in before the fit: ground, irradiance, and the window."""
 
 from __future__ import annotations
 
@@ -13,10 +13,14 @@ Index = NDArray[np.int64]
 
 
 def folded(config: Config, weights: Array, degrees: Index) -> Array:
-    """Return radiance weights ``(..., count)`` of ``degrees`` as what the scene asks for."""
-    if config.scene.quantity == "radiance":
-        return weights
-    return weights * sphere.clamped_cosine(int(degrees.max()) + 1)[degrees]
+    """Return radiance weights ``(..., channels, count)`` of ``degrees`` as what the scene asks for, ground included."""
+    scene, bands = config.scene, int(degrees.max()) + 1
+    mirrored = degrees.size != bands * bands
+    if scene.ground == "mirror":
+        weights = sphere.mirror_ground(weights, bands, mirrored=mirrored)
+    elif scene.ground != "black":
+        weights = sphere.add_ground(weights, scene.ground, bands, mirrored=mirrored)
+    return weights if scene.quantity == "radiance" else weights * sphere.clamped_cosine(bands)[degrees]
 
 
 def luminance_scale(config: Config) -> float:

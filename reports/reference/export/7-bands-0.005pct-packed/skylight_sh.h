@@ -13,8 +13,8 @@
  *   sun_azimuth: any finite angle, rad
  * Output
  *   w[channel][l*(l+1)+m], channels red, green, blue: linear radiance, luminance-scaled cd/m2. Real orthonormal spherical harmonics
- *   without the Condon-Shortley sign, z up, m > 0 cosine, m < 0 sine; the azimuth turns from +x towards +y. The lower
- *   hemisphere is black. Returns 0; 1 where an input lay outside its range and was clamped; 2 (weights zeroed) where one
+ *   without the Condon-Shortley sign, z up, m > 0 cosine, m < 0 sine; the azimuth turns from +x towards +y. Below the
+ *   horizon: black. Returns 0; 1 where an input lay outside its range and was clamped; 2 (weights zeroed) where one
  *   was NaN or the azimuth infinite.
  *   Define SKYLIGHT_SH_EXPOSURE before this file to multiply all weights (1 by default).
  *
@@ -27,7 +27,7 @@
  *
  * Provenance
  *   config preetham, table 7-bands-0.005pct-packed
- *   selection 00aa2f8de48f30356a59652973be0f76f7a7d6a8c212e98b096565ba974aded1
+ *   selection ddff4a699f052b72f5ee693d8680fb7ef3c9a651bf1e254141e4fb942d5578b5
  *   python 3.11.7, numpy 2.4.6, scipy 1.17.1, h5py 3.16.0, dask 2026.8.0
  *   x86_64: AVX512_ICL X86_V2 X86_V3 X86_V4
  */
@@ -680,6 +680,18 @@ static inline int skylight_sh_dominant(float weights[SKYLIGHT_SH_CHANNELS][SKYLI
     direction[1] = length > 0.0f ? y / length : 0.0f;
     direction[2] = length > 0.0f ? z / length : 1.0f;
     return !(length > 0.0f);
+}
+
+
+/* Optional: an even ground of this albedo below the horizon, lit by the sky (before any window): its radiance is albedo E / pi, and E, the irradiance on it, is a multiple of the weight l = 1, m = 0. */
+static inline void skylight_sh_ground(const float albedo[SKYLIGHT_SH_CHANNELS], float weights[SKYLIGHT_SH_CHANNELS][SKYLIGHT_SH_WEIGHTS])
+{
+    static const float lower[SKYLIGHT_SH_BANDS] = { 1.7724539f, -1.53499007f, 0.0f, 0.586184025f, 0.0f, -0.367410272f, 0.0f };
+    int l, channel;
+    for (channel = 0; channel < SKYLIGHT_SH_CHANNELS; ++channel) {
+        const float radiance = albedo[channel] * 0.65147001587f * weights[channel][2];
+        for (l = 0; l < SKYLIGHT_SH_BANDS; ++l) weights[channel][l * (l + 1)] += radiance * lower[l];
+    }
 }
 
 
