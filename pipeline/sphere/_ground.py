@@ -31,9 +31,9 @@ def add_ground(weights: Array, albedo: ArrayLike, bands: int, *, mirrored: bool 
     """Add an even ground of ``albedo``, lit by the light above it, to weights that are black below the horizon.
 
     ``weights`` ``(..., count)`` are those of ``degrees_orders(bands, mirrored=mirrored)``; ``albedo`` broadcasts to
-    ``(...)``. The ground's radiance is albedo E / pi. Since nothing shines from below, E, the irradiance on the horizontal, is the
-    integral of radiance times z: a multiple of the weight l = 1, m = 0, so that the result is exact. Raises ValueError for
-    one band.
+    ``(...)``. The ground's radiance is albedo E / pi. Since nothing shines from below, E, the irradiance on the horizontal,
+    is the integral of radiance times z: a multiple of the weight l = 1, m = 0, so that the result is exact. Raises
+    ValueError for one band.
     """
     if bands < 2:
         raise ValueError("One band does not tell the irradiance on the ground. Give at least two bands.")
