@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import json
 import signal
 import subprocess
@@ -182,3 +183,60 @@ def test_processes_are_spawned_not_forked() -> None:
     from dask.multiprocessing import get_context
 
     assert get_context().get_start_method() == "spawn"
+
+
+# What decides where and when work is done, or is part of every key in another way.
+ELSEWHERE = (
+    "config",
+    "store",
+    "run/executors.py",
+    "run/plan.py",
+    "run/provenance.py",
+    "run/__init__.py",
+    "run/stages/__init__.py",
+)
+
+
+def imported(path: Path) -> set[Path]:
+    """The package's files that a file imports, lazily or not."""
+    found = set()
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        names = []
+        if isinstance(node, ast.ImportFrom) and node.module:
+            names = [node.module, *(f"{node.module}.{alias.name}" for alias in node.names)]
+        elif isinstance(node, ast.Import):
+            names = [alias.name for alias in node.names]
+        for name in names:
+            if name.split(".")[0] == "pipeline":
+                place = ROOT / name.replace(".", "/")
+                found |= {p for p in (place.with_suffix(".py"), place / "__init__.py") if p.is_file()}
+    return found
+
+
+@pytest.mark.parametrize("name", ["preetham", "black-box"])
+def test_every_step_is_keyed_by_all_the_code_it_runs(name: str) -> None:
+    package = ROOT / "pipeline"
+    by_name = {step.name: step for step in steps(load(ROOT / "configs" / f"{name}.toml"))}
+
+    def code(step: plan.Step) -> set[str]:
+        return set(step.code).union(*(code(by_name[needed]) for needed in step.inputs))
+
+    for step in by_name.values():
+        make = step.make.func if hasattr(step.make, "func") else step.make
+        todo, seen = [Path(sys.modules[make.__module__].__file__ or "")], set()
+        while todo:
+            path = todo.pop()
+            relative = path.relative_to(package).as_posix()
+            # A package's first file that imports nothing runs nothing.
+            idle = path.name == "__init__.py" and not imported(path)
+            if path in seen or relative.startswith(ELSEWHERE) or idle:
+                continue
+            seen.add(path)
+            todo += imported(path)
+        covered = code(step)
+        missing = {
+            relative
+            for relative in (path.relative_to(package).as_posix() for path in seen)
+            if not any(relative == part or relative.startswith(f"{part}/") for part in covered)
+        }
+        assert not missing, (step.name, missing)

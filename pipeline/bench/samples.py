@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 from pipeline import sphere
 from pipeline.config.schema import Config
 from pipeline.fit.errors import Reference, mean_luminance
-from pipeline.run.stages.axes import fit_nodes, frame_of, is_searched
+from pipeline.run.stages.axes import fit_nodes, is_searched
+from pipeline.run.stages.frame import frame_of
 from pipeline.table.table import Frame, Table
 from pipeline.truth import sampling
 from pipeline.truth import sets as parameter_sets

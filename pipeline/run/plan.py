@@ -51,8 +51,13 @@ class Outcome:
 
 def keys(plan: Sequence[Step]) -> dict[str, str]:
     """Return each step's key by name: its stage, code, libraries, parameters and its inputs' keys, nothing else."""
+    steps = {step.name: step for step in plan}
     known: dict[str, str] = {}
-    for step in plan:
+
+    def add(step: Step) -> None:
+        for name in step.inputs:
+            if name not in known:
+                add(steps[name])
         known[step.name] = digest(
             {
                 "stage": step.name,
@@ -63,6 +68,10 @@ def keys(plan: Sequence[Step]) -> dict[str, str]:
                 "inputs": {name: known[name] for name in step.inputs},
             }
         )
+
+    for step in plan:
+        if step.name not in known:
+            add(step)
     return known
 
 

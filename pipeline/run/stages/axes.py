@@ -1,4 +1,4 @@
-"""A config's axes, nodes and factor as the numerics know them: given, or found by the search for variables."""
+"""A config's axes and nodes as the numerics know them: given, or found by the search for variables."""
 
 from __future__ import annotations
 
@@ -10,8 +10,6 @@ from numpy.typing import NDArray
 from pipeline.config.schema import Config
 from pipeline.fit.axes import Axis
 from pipeline.run.plan import Inputs
-from pipeline.table.factor import ClosedForm, Factor, Reciprocal
-from pipeline.table.table import Frame
 
 Array = NDArray[np.float64]
 
@@ -60,30 +58,3 @@ def verification_nodes(config: Config, axes: tuple[Axis, ...]) -> list[Array]:
         axis.verification_nodes(s.verification, nodes)
         for axis, s, nodes in zip(axes, config.axes, fit_nodes(config, axes), strict=True)
     ]
-
-
-def factor_of(config: Config, inputs: Inputs) -> Factor | None:
-    """Return what the fit divides by: the light's closed form, a polynomial's reciprocal found in samples, or nothing."""
-    if config.fit.prefactor == "auto":
-        return Reciprocal(inputs[VARIABLES]["denominator"])
-    hint = config.source.hints.prefactor
-    if not (config.fit.prefactor and hint):
-        return None
-    fixed = {name: value for name, value in config.scene.fixed.items() if name in hint.axes}
-    return ClosedForm(hint.name, hint.constants, tuple(sorted(fixed.items())))
-
-
-def frame_of(config: Config, inputs: Inputs, *, mirrored: bool) -> Frame:
-    """Return what all tables of a run's fit have in common."""
-    scene = config.scene
-    return Frame(
-        axes_of(config, inputs),
-        config.source.channels,
-        mirrored,
-        config.fit.basis,
-        factor_of(config, inputs),
-        scene.quantity,
-        scene.window,
-        scene.azimuth,
-        scene.ground if isinstance(scene.ground, str) else f"albedo {', '.join(f'{a:g}' for a in scene.ground)}",
-    )

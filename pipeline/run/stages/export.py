@@ -19,9 +19,16 @@ from pipeline.run.stages.files import to_dataset
 from pipeline.store.dataset import Dataset
 from pipeline.table.table import Table
 
+_PARTS = ("export", "files")
 _CODE = (
-    *("light", "sphere", "fit", "table", "export", "runtime.py"),
-    *("config/names.py", "run/stages/export.py", "run/stages/files.py"),
+    "light",
+    "sphere",
+    "fit",
+    "table",
+    "export",
+    "runtime.py",
+    "config/names.py",
+    *(f"run/stages/{p}.py" for p in _PARTS),
 )
 
 

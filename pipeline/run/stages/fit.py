@@ -17,7 +17,8 @@ from pipeline.fit.errors import Reference, mean_luminance
 from pipeline.fit.sweep import sweep
 from pipeline.run.executors import Advance
 from pipeline.run.plan import Inputs, Step
-from pipeline.run.stages.axes import fit_nodes, frame_of, variables
+from pipeline.run.stages.axes import fit_nodes, variables
+from pipeline.run.stages.frame import frame_of
 from pipeline.run.stages.scene import folded, luminance_scale
 from pipeline.store.dataset import Dataset, Variable
 from pipeline.table import factor as factors
@@ -27,14 +28,8 @@ from pipeline.table.table import Frame, Table, whole
 Array = NDArray[np.float64]
 
 _CODE = (
-    "light",
-    "sphere",
-    "fit",
-    "table",
-    "export/npz.py",
-    "run/stages/fit.py",
-    "run/stages/axes.py",
-    "run/stages/scene.py",
+    *("light", "sphere", "fit", "table", "export/npz.py"),
+    *(f"run/stages/{part}.py" for part in ("fit", "axes", "frame", "scene")),
 )
 
 

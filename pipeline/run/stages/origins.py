@@ -26,13 +26,17 @@ Array = NDArray[np.float64]
 
 NAME = "origins"
 STEP = "fit/origins"
+_PARTS = ("origins", "axes", "fit", "frame", "scene")
 _CODE = (
     "light",
     "sphere",
     "fit",
+    "table",
     "truth/fixed.py",
     "truth/sets.py",
-    *(f"run/stages/{name}.py" for name in ("origins", "axes", "fit", "scene")),
+    "truth/samples.py",
+    "export/npz.py",
+    *(f"run/stages/{p}.py" for p in _PARTS),
 )
 # The paper's bands and degrees; side of the grid of cells, one random sample each, that stands for a truth.
 _BANDS = 7

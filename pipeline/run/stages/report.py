@@ -25,6 +25,7 @@ from pipeline.truth import sampling
 
 Array = NDArray[np.float64]
 
+_PARTS = ("report", "scene", "axes", "files", "origins", "fit", "frame")
 _CODE = (
     "report",
     "light",
@@ -33,12 +34,8 @@ _CODE = (
     "table",
     "truth",
     "export/npz.py",
-    "run/stages/report.py",
-    "run/stages/scene.py",
-    "run/stages/axes.py",
-    "run/stages/files.py",
-    "run/stages/origins.py",
     "config/names.py",
+    *(f"run/stages/{p}.py" for p in _PARTS),
 )
 _INPUTS = ("truth/rule", "truth/verification", "fit", "select")
 

@@ -19,8 +19,9 @@ from pipeline.fit.smallest import smallest
 from pipeline.fit.weighted import Sampled, even, metric
 from pipeline.run.executors import Advance, map_tasks
 from pipeline.run.plan import Inputs, Step
-from pipeline.run.stages.axes import fit_nodes, frame_of, variables
+from pipeline.run.stages.axes import fit_nodes, variables
 from pipeline.run.stages.fit import reference_of, truth_inputs
+from pipeline.run.stages.frame import frame_of
 from pipeline.run.stages.scene import folded, luminance_scale, window
 from pipeline.store.dataset import Dataset, Variable
 from pipeline.table import factor as factors
@@ -34,8 +35,10 @@ Array = NDArray[np.float64]
 Point = tuple[float, float]
 Result = tuple[Wanted, Table, list[Point]]
 
-_PARTS = ("select", "fit", "axes", "scene")
-_CODE = ("light", "sphere", "fit", "table", "export/npz.py", "config/names.py", *(f"run/stages/{p}.py" for p in _PARTS))
+_CODE = (
+    *("light", "sphere", "fit", "table", "export/npz.py", "config/names.py"),
+    *(f"run/stages/{part}.py" for part in ("select", "fit", "axes", "frame", "scene")),
+)
 # How often a table that float32 carries over its budget is sought again, with a budget how much below proportion.
 _RETRIES = 4
 _SHRINK = 0.995

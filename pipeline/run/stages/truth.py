@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable
 from dataclasses import asdict
 from functools import partial
@@ -13,15 +12,12 @@ from numpy.typing import NDArray
 from pipeline import sphere
 from pipeline.config.schema import Config
 from pipeline.fit.axes import Axis
-from pipeline.fit.errors import mean_luminance
-from pipeline.fit.search import search
 from pipeline.run.executors import Advance, map_tasks
 from pipeline.run.plan import Inputs, Step
 from pipeline.run.stages.axes import (
     axes_of,
     fit_nodes,
     given_axes,
-    is_searched,
     variables,
     verification_nodes,
 )
@@ -34,8 +30,7 @@ from pipeline.truth.samples import Samples
 Array = NDArray[np.float64]
 NodesOf = Callable[[Config, tuple[Axis, ...]], list[Array]]
 
-_CODE = ("light", "sphere", "truth", "fit/axes.py", "fit/maps.py", "run/stages/truth.py", "run/stages/axes.py")
-_SEARCH_CODE = (*_CODE, "fit/search.py", "fit/bases.py", "fit/solve.py")
+CODE = ("light", "sphere", "truth", "fit/axes.py", "fit/maps.py", "run/stages/truth.py", "run/stages/axes.py")
 _SETS_PER_TASK = 64
 
 
@@ -52,29 +47,23 @@ def steps(config: Config) -> list[Step]:
         # Of the scene only what the light itself loses by it.
         "scene": {"fixed": config.scene.fixed, "channels": config.scene.channels},
     }
-    # Lists, not mappings: the order of the axes is the order of the samples.
-    spacing = [(axis.name, axis.nodes, axis.spacing, axis.map, axis.point) for axis in config.axes]
-    rule = Step("truth", "rule", _CODE, (), common, partial(_make_rule, config))
-    needed = (rule.name, *variables(config))
-    found = [rule]
-    if is_searched(config):
-        searched = {"nodes": spacing, "prefactor": config.fit.prefactor, "budget": _finest_budget(config)}
-        found.append(Step("truth", "probe", _CODE, (rule.name,), spacing, partial(_make_grid, config, fit_nodes, "probe")))
-        found.append(Step("truth", "variables", _SEARCH_CODE, ("truth/probe",), searched, partial(_make_variables, config)))
-    found += [
-        Step("truth", "grid", _CODE, needed, spacing, partial(_make_grid, config, fit_nodes, "grid")),
+    rule = Step("truth", "rule", CODE, (), common, partial(_make_rule, config))
+    needed, spacing = (rule.name, *variables(config)), spacing_of(config)
+    found = [
+        rule,
+        Step("truth", "grid", CODE, needed, spacing, partial(make_grid, config, fit_nodes, "grid")),
         Step(
             "truth",
             "verification",
-            _CODE,
+            CODE,
             needed,
             {"fit": spacing, "count": [(axis.name, axis.verification) for axis in config.axes]},
-            partial(_make_grid, config, verification_nodes, "verification"),
+            partial(make_grid, config, verification_nodes, "verification"),
         ),
     ]
     if config.truth.random:
         drawn = {"count": config.truth.random, "seed": config.truth.seed}
-        found.append(Step("truth", "random", _CODE, (rule.name,), drawn, partial(_make_random, config)))
+        found.append(Step("truth", "random", CODE, (rule.name,), drawn, partial(_make_random, config)))
     return found
 
 
@@ -91,38 +80,13 @@ def _make_rule(config: Config, _: Inputs, __: Advance) -> Dataset:
     return Dataset({}, {"rule": rule, "nodes": nodes, "estimate": estimate, "mirrored": mirrored})
 
 
-def _finest_budget(config: Config) -> float:
-    """Return the error that the search for variables aims at: the middle one of all budgets asked for."""
-    budgets = sorted(budget for winner in config.winners for budget in winner.budgets)
-    return budgets[len(budgets) // 2] if budgets else 1e-3
+def spacing_of(config: Config) -> list[tuple[object, ...]]:
+    """Return what decides the fit grid; a list, since the order of the axes is the order of the samples."""
+    return [(axis.name, axis.nodes, axis.spacing, axis.map, axis.point) for axis in config.axes]
 
 
-def _make_variables(config: Config, inputs: Inputs, _: Advance) -> Dataset:
-    """Find changes of variable and the prefactor from the probe, a grid in the parameters themselves."""
-    probe, axes = inputs["truth/probe"], given_axes(config)
-    free = [axis.map == "auto" for axis in config.axes]
-    found = search(
-        axes,
-        [probe[axis.name] for axis in axes],
-        probe["weights"],
-        _positive(config, probe),
-        _finest_budget(config),
-        free=free,
-        factor=config.fit.prefactor == "auto",
-    )
-    powers = tuple(f"power_{axis.name}" for axis in axes)
-    made = json.dumps([asdict(axis) for axis in found.axes])
-    return Dataset({"denominator": Variable(powers, found.denominator)}, {"axes": made})
-
-
-def _positive(config: Config, probe: Dataset) -> Array:
-    """Return what the search divides by: the least luminance, or the mean where the least is not positive."""
-    if np.all(probe["least_luminance"] > 0.0):
-        return probe["least_luminance"]
-    return mean_luminance(probe["weights"][..., 0], config.source.luminance_row)
-
-
-def _make_grid(config: Config, nodes_of: NodesOf, name: str, inputs: Inputs, advance: Advance) -> Dataset:
+def make_grid(config: Config, nodes_of: NodesOf, name: str, inputs: Inputs, advance: Advance) -> Dataset:
+    """Sample the grid of ``nodes_of`` the axes; ``name`` says what it is for."""
     axes = axes_of(config, inputs)
     nodes = nodes_of(config, axes)
     shape = tuple(n.size for n in nodes)
