@@ -16,6 +16,8 @@ Index = NDArray[np.int64]
 _ROUNDS = 8
 # Terms are summed four at a time.
 _GROUP = 4
+# Corners that are tried before one is taken away: those with the smallest coefficients.
+_CORNERS = 6
 
 
 @dataclass(frozen=True)
@@ -90,7 +92,7 @@ def fewest(
             low = middle + 1
     best = search.fit(ranked[low - 1])
     while True:
-        smaller = min((attempt(lengths) for lengths in _without_a_corner(best.lengths)), key=lambda k: k.error, default=None)
+        smaller = min((attempt(lengths) for lengths in _without_a_corner(best)), key=lambda k: k.error, default=None)
         if smaller is not None and smaller.error > budget:
             smaller = search.sharpened(smaller.lengths, budget)
         if smaller is None or smaller.error > budget:
@@ -121,9 +123,13 @@ def _ranking(dense: Array) -> list[Index]:
     return found
 
 
-def _without_a_corner(lengths: Index) -> Iterator[Index]:
+def _without_a_corner(kept: Kept) -> Iterator[Index]:
+    """Yield the lengths without one corner, for the corners with the smallest coefficients."""
+    lengths = kept.lengths
     if lengths.sum() > 1:
-        for r in np.flatnonzero(lengths):
+        corners = np.flatnonzero(lengths)
+        energy = (kept.dense[:, :, lengths[corners] - 1, corners] ** 2).sum(axis=1).max(axis=0)
+        for r in corners[np.argsort(energy, kind="stable")[:_CORNERS]]:
             out = lengths.copy()
             out[r] -= 1
             yield out
