@@ -10,7 +10,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.sphere._indexing import check_bands, degrees_orders
+from pipeline.sphere._indexing import bands_of, check_bands, degrees_orders
 
 Array = NDArray[np.float64]
 
@@ -63,10 +63,7 @@ def basis(directions: Array, bands: int, *, mirrored: bool = False) -> Array:
 
 def evaluate(weights: NDArray[np.floating], directions: Array) -> Array:
     """Sum an SH expansion: ``weights`` of shape ``(..., N*N)`` at ``directions`` of shape ``(n, 3)`` -> ``(..., n)``."""
-    bands = round(weights.shape[-1] ** 0.5)
-    if bands * bands != weights.shape[-1]:
-        raise ValueError(f"{weights.shape[-1]} weights are not a square number N*N of bands.")
-    return np.asarray(weights @ basis(directions, bands).T)
+    return np.asarray(weights @ basis(directions, bands_of(weights)).T)
 
 
 def _row(degree: int, order: int) -> int:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -51,3 +53,12 @@ def check_bands(bands: int) -> None:
     """Raise ValueError unless ``bands`` is at least 1."""
     if bands < 1:
         raise ValueError(f"Invalid number of bands {bands!r}. Should be an integer of at least 1.")
+
+
+def bands_of(weights: NDArray[np.floating]) -> int:
+    """Return N of weights ``(..., N*N)``. Raises ValueError where the last axis holds no square number."""
+    size = int(weights.shape[-1]) if weights.ndim else 0
+    bands = math.isqrt(size)
+    if bands < 1 or bands * bands != size:
+        raise ValueError(f"{size} weights are not a square number N*N of bands. Should be the last axis, 1, 4, 9, ... long.")
+    return bands

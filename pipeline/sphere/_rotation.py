@@ -1,13 +1,13 @@
-"""Rotations of SH weights about the zenith (eq. 4 of the paper) and about the y axis."""
+"""Rotations of SH weights about the zenith (eq. 4 of the paper), about the y axis, and by ZYZ angles."""
 
 from __future__ import annotations
 
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
-from pipeline.sphere._indexing import Index, degrees_orders
+from pipeline.sphere._indexing import Index, bands_of, degrees_orders
 
 Array = NDArray[np.float64]
 
@@ -18,8 +18,7 @@ def rotate_azimuth(weights: NDArray[np.floating], azimuth: NDArray[np.floating] 
     ``weights`` has shape ``(..., N*N)`` and ``azimuth`` broadcasts against ``(...)``. Exact but for
     rounding; the result keeps the dtype of ``weights``.
     """
-    bands = round(weights.shape[-1] ** 0.5)
-    degrees, orders = degrees_orders(bands)
+    degrees, orders = degrees_orders(bands_of(weights))
     partner = degrees * (degrees + 1) - orders
     angle = np.abs(orders) * np.asarray(azimuth, dtype=np.float64)[..., np.newaxis]
     cosine = np.cos(angle).astype(weights.dtype)
@@ -40,6 +39,42 @@ def rotate_y(weights: Array, angles: Array, bands: int, *, mirrored: bool) -> Ar
         part = weights[..., index].reshape(angles.size, -1, index.size)
         out[..., index] = (part @ turn.swapaxes(1, 2)).reshape(*weights.shape[:-1], index.size)
     return out
+
+
+def rotate_zyz(weights: NDArray[np.floating], first: ArrayLike, middle: ArrayLike, last: ArrayLike) -> Array:
+    """Turn environments by ``first`` radians about +z, then ``middle`` about +y, then ``last`` about +z, all fixed axes.
+
+    ``weights`` has shape ``(..., N*N)`` and the angles broadcast against ``(...)``; so has the result, float64. Exact
+    but for rounding, and the same as ``rotate(weights, zyz_matrix(first, middle, last))``. In axes that turn along, the
+    angles read alpha = last, beta = middle, gamma = first (Green 2003, "Rotating Spherical Harmonics").
+    """
+    bands = bands_of(weights)
+    lead = np.broadcast_shapes(weights.shape[:-1], np.shape(first), np.shape(middle), np.shape(last))
+    source = np.broadcast_to(weights.astype(np.float64), (*lead, bands * bands))
+    turned = np.asarray(rotate_azimuth(source, np.asarray(first, dtype=np.float64)), dtype=np.float64)
+    angles = np.asarray(middle, dtype=np.float64)
+    if angles.ndim == 0:
+        turned = rotate_y(turned[np.newaxis], angles[np.newaxis], bands, mirrored=False)[0]
+    else:
+        every = np.broadcast_to(angles, lead).reshape(-1)
+        turned = rotate_y(turned.reshape(every.size, -1), every, bands, mirrored=False).reshape(*lead, -1)
+    return np.asarray(rotate_azimuth(turned, np.asarray(last, dtype=np.float64)), dtype=np.float64)
+
+
+def zyz_matrix(first: ArrayLike, middle: ArrayLike, last: ArrayLike) -> Array:
+    """Return the rotation matrices ``(..., 3, 3)`` of ``rotate_zyz``; the angles, in radians, broadcast to ``(...)``."""
+    a, b, c = np.broadcast_arrays(*(np.asarray(angle, dtype=np.float64) for angle in (first, middle, last)))
+    return _about_z(c) @ _about_y(b) @ _about_z(a)
+
+
+def _about_z(angle: Array) -> Array:
+    c, s, zero, one = np.cos(angle), np.sin(angle), np.zeros_like(angle), np.ones_like(angle)
+    return np.stack([c, -s, zero, s, c, zero, zero, zero, one], axis=-1).reshape(*angle.shape, 3, 3)
+
+
+def _about_y(angle: Array) -> Array:
+    c, s, zero, one = np.cos(angle), np.sin(angle), np.zeros_like(angle), np.ones_like(angle)
+    return np.stack([c, zero, s, zero, one, zero, -s, zero, c], axis=-1).reshape(*angle.shape, 3, 3)
 
 
 @lru_cache(maxsize=32)
