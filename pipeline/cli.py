@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from pipeline import __version__
+from pipeline.cli_probe import project
 from pipeline.cli_tables import BadInputError, evaluate, export
 
 if TYPE_CHECKING:
@@ -100,6 +101,7 @@ def run(config: Path, executor: str | None, workers: int | None, store: Path, re
 
 main.add_command(evaluate)
 main.add_command(export)
+main.add_command(project)
 
 
 @main.group()

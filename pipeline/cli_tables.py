@@ -12,6 +12,9 @@ import click
 from pipeline.export.engines.profiles import PROFILES
 
 if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
     from pipeline.runtime import Runtime
 
 _AT = click.option(
@@ -62,7 +65,7 @@ def evaluate(
 
     Example: python -m pipeline evaluate reports/reference/export/skylight_sh.npz --sun-zenith 0.8 --turbidity 3
     """
-    from pipeline import runtime, sphere
+    from pipeline import runtime
     from pipeline.export import engines
 
     if form is None and (axes is not None or exposure is not None):
@@ -85,14 +88,7 @@ def evaluate(
             return
     except ValueError as error:
         raise BadInputError(str(error)) from error
-    channels = loaded.table.channels
-    if as_json:
-        click.echo(json.dumps({channel: weights[i].tolist() for i, channel in enumerate(channels)}))
-        return
-    click.echo(f"{'l':>3}{'m':>4}" + "".join(f"{channel:>16}" for channel in channels))
-    degrees, orders = sphere.degrees_orders(round(weights.shape[-1] ** 0.5))
-    for k, (l, m) in enumerate(zip(degrees.tolist(), orders.tolist(), strict=True)):
-        click.echo(f"{l:>3}{m:>4}" + "".join(f"{weights[i, k]:>16.8g}" for i in range(len(channels))))
+    show_weights(weights, loaded.table.channels, as_json=as_json)
 
 
 @click.command()
@@ -165,6 +161,19 @@ def export(
         fate = "left out" if night == "skip" else "written as zeros"
         click.echo(f"{made.nights} times with the sun below the horizon are {fate}.")
     click.echo(f"{len(made.times)} skies  {output}")
+
+
+def show_weights(weights: NDArray[np.floating], channels: tuple[str, ...], *, as_json: bool) -> None:
+    """Print SH weights ``(channels, N*N)``, a line each, or as JSON with a list a channel."""
+    from pipeline import sphere
+
+    if as_json:
+        click.echo(json.dumps({channel: weights[i].tolist() for i, channel in enumerate(channels)}))
+        return
+    click.echo(f"{'l':>3}{'m':>4}" + "".join(f"{channel:>16}" for channel in channels))
+    degrees, orders = sphere.degrees_orders(round(weights.shape[-1] ** 0.5))
+    for k, (l, m) in enumerate(zip(degrees.tolist(), orders.tolist(), strict=True)):
+        click.echo(f"{l:>3}{m:>4}" + "".join(f"{weights[i, k]:>16.8g}" for i in range(len(channels))))
 
 
 def _table(path: Path, form: str | None) -> Runtime:
