@@ -7,7 +7,7 @@ from pathlib import Path
 
 from threadpoolctl import threadpool_limits
 
-from pipeline.bench import batch, evaluation, fits, growth, page, profiles, rules
+from pipeline.bench import batch, discs, evaluation, fits, growth, page, profiles, rules
 from pipeline.bench.exported import exported
 from pipeline.bench.samples import sample
 from pipeline.config.schema import Config
@@ -17,7 +17,7 @@ LEAD = (
     "Error against time, measured in one run on one thread: medians after a warm-up, candidates timed in turn, so that "
     "ratios hold on a noisy machine where seconds do not. Errors are fractions."
 )
-_COUNT = 6
+_COUNT = 7
 
 
 def run(config: Config, reports: Path, repeats: int, advance: Callable[[int, int], None]) -> str:
@@ -38,5 +38,6 @@ def _sections(config: Config, folder: Path, repeats: int) -> Iterator[page.Secti
     yield fits.section(samples, repeats)
     yield evaluation.section(samples, tables, repeats)
     yield batch.section(tables, repeats)
+    yield discs.section(repeats)
     yield profiles.section(config, samples, repeats)
     yield growth.section(config)

@@ -7,7 +7,18 @@ from typing import Annotated, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
-from pipeline.light import BlackBox, CieGeneral, Fixed, Light, Luminance, MitsubaSunsky, Plugin, Preetham
+from pipeline.light import (
+    BlackBox,
+    CieGeneral,
+    CieTraditional,
+    Fixed,
+    Light,
+    Luminance,
+    MitsubaSunsky,
+    Perez,
+    Plugin,
+    Preetham,
+)
 
 Name = Annotated[str, Field(pattern=r"^[a-z0-9][a-z0-9_-]{0,39}$")]
 Degree = Annotated[int, Field(ge=0, le=40)]
@@ -177,8 +188,11 @@ class Config(_Section):
     """One run of the pipeline."""
 
     name: Name = Field(description="name of the run and of its folder under reports/: lower-case letters, digits, - and _")
-    light: Annotated[Preetham | CieGeneral | MitsubaSunsky | Plugin, Field(discriminator="model")] = Field(
-        description="the light: model = preetham, cie_general, mitsuba_sunsky or plugin, and its options"
+    light: Annotated[
+        Preetham | CieGeneral | CieTraditional | Perez | MitsubaSunsky | Plugin, Field(discriminator="model")
+    ] = Field(
+        description="the light: model = preetham, cie_general, cie_traditional, perez, mitsuba_sunsky or plugin, and its "
+        "options"
     )
     axes: tuple[AxisSection, ...] = Field(description="the light's parameters, one [[axes]] table each")
     truth: TruthSection = Field(description="a [truth] section: how the ground truth is sampled")

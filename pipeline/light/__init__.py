@@ -2,23 +2,32 @@
 
 from __future__ import annotations
 
-from pipeline.light.cie import CieGeneral
+from pipeline.light.cie import CieGeneral, CieTraditional
 from pipeline.light.derived import BlackBox, Fixed, Luminance
 from pipeline.light.mitsuba_sunsky import MitsubaSunsky
+from pipeline.light.perez import Perez
 from pipeline.light.plugin import Plugin
 from pipeline.light.preetham import Preetham
 from pipeline.light.protocol import Domain, Hints, Light, MissingExtraError, Prefactor
 
 # A light's dataclass fields are its options in a config's [light] section; ``model`` tells the lights apart.
-LIGHTS = {"preetham": Preetham, "cie_general": CieGeneral, "mitsuba_sunsky": MitsubaSunsky, "plugin": Plugin}
+LIGHTS = {
+    "preetham": Preetham,
+    "cie_general": CieGeneral,
+    "cie_traditional": CieTraditional,
+    "perez": Perez,
+    "mitsuba_sunsky": MitsubaSunsky,
+    "plugin": Plugin,
+}
 # Every prefactor a table may name.
-PREFACTORS = {p.name: p for p in (Preetham().hints.prefactor,) if p}
+PREFACTORS = {p.name: p for p in (Preetham().hints.prefactor, Perez(category=8).hints.prefactor) if p}
 
 __all__ = [
     "LIGHTS",
     "PREFACTORS",
     "BlackBox",
     "CieGeneral",
+    "CieTraditional",
     "Domain",
     "Fixed",
     "Hints",
@@ -26,6 +35,7 @@ __all__ = [
     "Luminance",
     "MissingExtraError",
     "MitsubaSunsky",
+    "Perez",
     "Plugin",
     "Preetham",
     "Prefactor",
