@@ -15,6 +15,7 @@ from pipeline.sphere._general import rotate, rotation_blocks
 from pipeline.sphere._ground import add_ground, lower_hemisphere, mirror_ground
 from pipeline.sphere._indexing import bands_of, check_bands, count, degrees_orders, flat_index, unmirror
 from pipeline.sphere._nonnegative import minimum, smallest_window
+from pipeline.sphere._occlusion import cover, horizon
 from pipeline.sphere._product import Gaunt, gaunt, multiplication, product
 from pipeline.sphere._rotation import rotate_azimuth, rotate_y, rotate_zyz, zyz_matrix
 from pipeline.sphere._windows import hann_window, lanczos_window, laplacian_window, sinc_window, zonal_sinc
@@ -32,12 +33,14 @@ __all__ = [
     "clamped_cosine",
     "convolve",
     "count",
+    "cover",
     "degrees_orders",
     "dot",
     "evaluate",
     "flat_index",
     "gaunt",
     "hann_window",
+    "horizon",
     "irradiance",
     "lanczos_window",
     "laplacian_window",
