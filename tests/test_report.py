@@ -15,7 +15,7 @@ from pipeline.config import load
 from pipeline.report.style import percent
 from pipeline.run.runner import Result
 
-FIGURES = 'figures = ["bands", "maps", "panoramas", "ringing", "bytes", "degrees"]'
+FIGURES = 'figures = ["bands", "maps", "panoramas", "ringing", "gibbs", "bytes", "degrees"]'
 
 
 def png_size(data: bytes) -> tuple[int, int]:
@@ -44,7 +44,7 @@ def test_page_escapes_what_the_config_says(tmp_path: Path) -> None:
     page = (result.folder / "index.html").read_text(encoding="utf-8")
     assert "<script>alert" not in page
     assert "&lt;script&gt;alert" in page
-    for name in ("bands", "maps", "panoramas", "ringing", "bytes", "degrees"):
+    for name in ("bands", "maps", "panoramas", "ringing", "gibbs", "bytes", "degrees"):
         width, height = png_size((result.folder / "figures" / f"{name}.png").read_bytes())
         assert width >= 800
         assert height >= 350
@@ -84,9 +84,9 @@ def test_more_bands_never_err_less_and_more_degrees_end_better(small_run: Result
 
 def test_one_axis_and_one_channel_have_their_pictures(tmp_path: Path) -> None:
     text = (SMALL.parent / "small-cie.toml").read_text(encoding="utf-8")
-    (tmp_path / "cie.toml").write_text(text, encoding="utf-8")
+    (tmp_path / "cie.toml").write_text(f"{text}\n[report]\n{FIGURES}\n", encoding="utf-8")
     result = run_quietly(load(tmp_path / "cie.toml"), tmp_path)
-    for name in ("bands", "maps", "panoramas", "ringing", "bytes", "degrees"):
+    for name in ("bands", "maps", "panoramas", "ringing", "gibbs", "bytes", "degrees"):
         png_size((result.folder / "figures" / f"{name}.png").read_bytes())
     assert "CIE general sky, type 12" in (result.folder / "index.html").read_text(encoding="utf-8")
 

@@ -26,7 +26,7 @@ Fraction = Annotated[float, Field(gt=0.0, le=1.0)]
 Bands = Annotated[int, Field(ge=1, le=32)]
 DType = Literal["float32", "float64"]
 BasisName = Literal["chebyshev", "legendre", "monomial", "fourier"]
-Picture = Literal["bands", "origins", "maps", "panoramas", "ringing", "bytes", "degrees"]
+Picture = Literal["bands", "origins", "maps", "panoramas", "ringing", "gibbs", "bytes", "degrees"]
 SolverName = Literal["svd", "qr", "normal"]
 Target = Literal["c", "npz", "glsl", "hlsl", "wgsl", "vectors"]
 
@@ -143,7 +143,7 @@ class ReportSection(_Section):
 
     figures: tuple[Picture, ...] = Field(
         ("bands", "maps", "panoramas", "ringing", "bytes", "degrees"),
-        description="pictures of the report; origins (of the 2008 paper's error) costs a second of sampling",
+        description="pictures of the report; origins (of the 2008 paper's error) costs a second of sampling, gibbs another",
     )
     cases: tuple[CaseSection, ...] = Field((), description="parameter sets to show beside the worst one")
 

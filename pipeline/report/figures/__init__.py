@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from matplotlib.figure import Figure
 
-from pipeline.report.figures import bands, degrees, maps, origins, panoramas, ringing, sizes
+from pipeline.report.figures import bands, degrees, gibbs, maps, origins, panoramas, ringing, sizes
 from pipeline.report.material import Material
 
 
@@ -28,4 +28,5 @@ PICTURES = {
     "maps": Picture("Where the error is", maps.CAPTION, maps.draw),
     "panoramas": Picture("The worst cases as skies", panoramas.CAPTION, panoramas.draw),
     "ringing": Picture("Ringing, before and after the window", ringing.CAPTION, ringing.draw),
+    "gibbs": Picture("Ringing: every window, every ground", gibbs.CAPTION, gibbs.draw),
 }

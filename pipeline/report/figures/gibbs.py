@@ -1,0 +1,99 @@
+"""Negative light and lost peaks: each window and each ground, for 3 to 10 bands, over the whole domain."""
+
+from __future__ import annotations
+
+import itertools
+
+import numpy as np
+from matplotlib.colors import SymLogNorm
+from matplotlib.figure import Figure, SubFigure
+from numpy.typing import NDArray
+
+from pipeline import sphere
+from pipeline.report import panorama, style
+from pipeline.report.material import Material
+from pipeline.report.ringing import GROUNDS, Ringing, least_window, measure, windows
+
+Array = NDArray[np.float64]
+
+# Sets in all, about; evenly spaced along each axis, both edges among them.
+_SETS = 49
+_TICKS = (-1.0, -0.3, -0.1, -0.03, 0.0, 0.03, 0.1, 0.3, 1.0)
+CAPTION = (
+    "True luminance expansions cut to so many bands, at about 49 evenly spaced sets of parameters, edges included. First "
+    "row: the most negative value of any set and direction; second: the largest part of the sphere that is negative; third: "
+    "by how much the brightest value differs from the sky's own, mean over sets (a smooth expansion cannot hold the sun's "
+    "halo). The least non-negative window is that of the set that rings most, at that set. Below: that set in the bands of "
+    "the recommended table; negative light is purple; the scale is logarithmic beyond 3 %."
+)
+
+
+def draw(material: Material) -> Figure | None:
+    """Draw the study; None for fewer than 3 bands, and where weights are windowed, lit from below, or no radiance."""
+    table = material.best.table
+    if table.windowed or table.quantity != "radiance" or table.ground != "black":
+        return None
+    bands = tuple(range(3, min(material.bands, 10) + 1))
+    if not bands:
+        return None
+    row = material.light.luminance_row
+    each = round(_SETS ** (1 / len(material.axes)))
+    sets = np.array(list(itertools.product(*(np.linspace(axis.low, axis.high, each) for axis in material.axes))))
+    weights = np.stack([_luminance(material, values, row) for values in sets])
+    names = tuple(axis.name for axis in material.axes)
+    brightest = np.array([(panorama.sky(material.light, values, names) @ row).max() for values in sets])
+    found = measure(weights, brightest, bands)
+    figure = style.figure(12, 13)
+    grid = figure.add_gridspec(2, 1, height_ratios=(2, 1))
+    above, below = figure.add_subfigure(grid[0]), figure.add_subfigure(grid[1])
+    _curves(above, found)
+    shown = min(max(table.bands, bands[0]), bands[-1])
+    worst = int(found.worst[0, bands.index(shown)])
+    below.suptitle(f"{shown} bands, {material.describe(sets[worst])}", fontsize=10)
+    _panoramas(below, weights[worst, : shown * shown], float(brightest[worst]), shown)
+    return figure
+
+
+def _luminance(material: Material, values: Array, row: Array) -> Array:
+    weights = row @ material.sample(values)
+    return np.asarray(sphere.unmirror(weights, material.bands) if material.mirrored else weights, dtype=np.float64)
+
+
+def _curves(figure: SubFigure, found: Ringing) -> None:
+    panels = figure.subplots(3, len(GROUNDS), sharex=True, sharey="row")
+    measures = (
+        (found.undershoot, "largest undershoot\n(of the brightest sky)"),
+        (found.area, "largest negative part\nof the sphere"),
+        (found.peak, "brightest value\nagainst the sky's"),
+    )
+    for k, (line, (values, label)) in enumerate(zip(panels, measures, strict=True)):
+        for g, (panel, ground) in enumerate(zip(line, GROUNDS, strict=True)):
+            for w, window in enumerate(found.windows):
+                look = {"color": style.SERIES[w], "marker": style.MARKERS[w], "markersize": 4}
+                panel.plot(found.bands, values[g, w], label=window, **look)
+            panel.axhline(0.0, color="grey", linewidth=0.6)
+            panel.yaxis.set_major_formatter(style.percent_ticks())
+            if k == 0:
+                panel.set_title(ground, fontsize=10)
+            if k == len(measures) - 1:
+                panel.set_xlabel("bands")
+        line[0].set_ylabel(label)
+    panels[0, -1].legend(fontsize=8)
+
+
+def _panoramas(figure: SubFigure, weights: Array, brightest: float, bands: int) -> None:
+    panels = figure.subplots(len(GROUNDS), 3, sharex=True, sharey=True)
+    scale = SymLogNorm(0.03, vmin=-1.0, vmax=1.0)
+    for line, (ground, light) in zip(panels, GROUNDS.items(), strict=True):
+        lit = light(weights, bands)
+        factors = {name: windows(bands)[name] for name in ("no window", "zonal sinc (eq. 5)")}
+        factors["least non-negative"] = least_window(lit, bands)
+        for panel, (window, factor) in zip(line, factors.items(), strict=True):
+            picture = panorama.expansion((lit * factor)[np.newaxis])[..., 0] / brightest
+            image = panel.imshow(picture, extent=panorama.EXTENT, aspect="auto", cmap="PuOr_r", norm=scale)
+            low = 100 * min(float(picture.min()), 0.0)
+            panel.set_title(f"{ground}, {window}: lowest {low:.1f} %", fontsize=8)
+        line[0].set_ylabel("altitude (°)")
+    for panel in panels[-1]:
+        panel.set_xlabel("azimuth from the sun (degrees)")
+    figure.colorbar(image, ax=panels, label="part of the brightest sky", ticks=_TICKS, format=style.percent_ticks())

@@ -1,0 +1,40 @@
+"""The study of ringing, on expansions whose figures are known."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from pipeline import sphere
+from pipeline.report.ringing import ALBEDO, GROUNDS, LEAST, measure
+
+
+def test_a_cosine_is_negative_on_half_the_sphere() -> None:
+    weights = np.zeros((2, 9))
+    weights[:, 0] = 1e-9
+    weights[0, 2] = np.sqrt(4 * np.pi / 3)
+    found = measure(weights, np.array([1.0, 1.0]), (2, 3))
+    black, mirrored = 0, list(GROUNDS).index("mirrored sky")
+    assert found.undershoot[black, 0] == pytest.approx(1, abs=2e-3)
+    assert found.area[black, 0] == pytest.approx(0.5, abs=1e-3)
+    assert found.worst[black].tolist() == [0, 0]
+    # Eq. 5: sinc(pi / 2) at two bands, sinc(pi / 3) at three.
+    sinc = found.windows.index("zonal sinc (eq. 5)")
+    assert found.undershoot[black, sinc] == pytest.approx(np.sinc([1 / 2, 1 / 3]), abs=2e-3)
+    assert found.undershoot[mirrored] == pytest.approx(0, abs=1e-9)
+
+
+def test_windows_and_grounds_keep_their_promises() -> None:
+    """A sky of the upper hemisphere: the least window leaves nothing negative, a ground halves what any other leaves."""
+    bands = (3, 4, 7, 10)
+    degrees, orders = sphere.degrees_orders(10)
+    sky = np.where(orders == 0, sphere.cap(np.array([np.pi / 2]), 10)[0][degrees], 0)[np.newaxis]
+    found = measure(sky, np.array([1.0]), bands)
+    assert found.windows[-1] == LEAST
+    assert found.undershoot[:, -1].max() < 1e-12
+    assert (found.undershoot[0, 0] > 0.03).all()
+    # An even ground of albedo a takes the same share of the jump at the horizon, and adds light.
+    lit = list(GROUNDS).index(f"ground of albedo {ALBEDO:g}")
+    expected = np.maximum((1 - ALBEDO) * found.undershoot[0, 0] - ALBEDO, 0)
+    assert found.undershoot[lit, 0] == pytest.approx(expected, abs=1e-12)
+    assert found.peak[0, 0] == pytest.approx(found.undershoot[0, 0], abs=0.02)
