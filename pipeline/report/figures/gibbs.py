@@ -44,6 +44,8 @@ def draw(material: Material) -> Figure | None:
     brightest = np.array([(panorama.sky(material.light, values, names) @ row).max() for values in sets])
     found = measure(weights, brightest, bands)
     figure = style.figure(12, 13)
+    # So many panels take a second to be laid out by constraint.
+    figure.set_layout_engine("none")
     grid = figure.add_gridspec(2, 1, height_ratios=(2, 1))
     above, below = figure.add_subfigure(grid[0]), figure.add_subfigure(grid[1])
     _curves(above, found)
@@ -60,7 +62,8 @@ def _luminance(material: Material, values: Array, row: Array) -> Array:
 
 
 def _curves(figure: SubFigure, found: Ringing) -> None:
-    panels = figure.subplots(3, len(GROUNDS), sharex=True, sharey="row")
+    room = {"left": 0.085, "right": 0.99, "top": 0.965, "bottom": 0.06, "wspace": 0.04, "hspace": 0.06}
+    panels = figure.subplots(3, len(GROUNDS), sharex=True, sharey="row", gridspec_kw=room)
     measures = (
         (found.undershoot, "largest undershoot\n(of the brightest sky)"),
         (found.area, "largest negative part\nof the sphere"),
@@ -82,7 +85,8 @@ def _curves(figure: SubFigure, found: Ringing) -> None:
 
 
 def _panoramas(figure: SubFigure, weights: Array, brightest: float, bands: int) -> None:
-    panels = figure.subplots(len(GROUNDS), 3, sharex=True, sharey=True)
+    room = {"left": 0.06, "right": 0.88, "top": 0.88, "bottom": 0.1, "wspace": 0.06, "hspace": 0.3}
+    panels = figure.subplots(len(GROUNDS), 3, sharex=True, sharey=True, gridspec_kw=room)
     scale = SymLogNorm(0.03, vmin=-1.0, vmax=1.0)
     for line, (ground, light) in zip(panels, GROUNDS.items(), strict=True):
         lit = light(weights, bands)
@@ -96,4 +100,10 @@ def _panoramas(figure: SubFigure, weights: Array, brightest: float, bands: int) 
         line[0].set_ylabel("altitude (°)")
     for panel in panels[-1]:
         panel.set_xlabel("azimuth from the sun (degrees)")
-    figure.colorbar(image, ax=panels, label="part of the brightest sky", ticks=_TICKS, format=style.percent_ticks())
+    figure.colorbar(
+        image,
+        cax=figure.add_axes((0.9, 0.1, 0.015, 0.78)),
+        label="part of the brightest sky",
+        ticks=_TICKS,
+        format=style.percent_ticks(),
+    )
