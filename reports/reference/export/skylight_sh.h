@@ -27,7 +27,7 @@
  *
  * Provenance
  *   config preetham, table 7-bands-0.1pct
- *   selection 15876062739d2890927f02367ffc1cab5e098a9e60b24821744f8439fec6bf6e
+ *   selection e1507fedfad4107313bdc486851030ed0ccbabdadd7d03bcb39617bff75cce7a
  *   python 3.11.7, numpy 2.4.6, scipy 1.17.1, h5py 3.16.0, dask 2026.8.0
  *   x86_64: AVX512_ICL X86_V2 X86_V3 X86_V4
  */
