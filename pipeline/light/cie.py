@@ -18,6 +18,7 @@ from typing import ClassVar, Literal
 
 import numpy as np
 
+from pipeline.light.one_channel import OneChannel
 from pipeline.light.protocol import Array, Domain, Hints, Parameters, sun_angle
 
 # Gradation a, b and indicatrix c, d, e of sky types 1 (overcast) to 15 (white-blue turbid with broad corona).
@@ -44,25 +45,10 @@ _DOMAINS: Mapping[str, Domain] = {
 }
 
 
-class _Relative:
-    """What all of these skies share: one channel, luminance, over the sun's zenith angle."""
+class _Relative(OneChannel):
+    """What all of these skies share: the axis of the sun's zenith angle."""
 
     __pydantic_config__: ClassVar[dict[str, object]] = {"extra": "forbid", "strict": True}
-
-    @property
-    def version(self) -> str:
-        """Nothing but this package's code."""
-        return ""
-
-    @property
-    def channels(self) -> tuple[str, ...]:
-        """Luminance alone."""
-        return ("luminance",)
-
-    @property
-    def luminance_row(self) -> Array:
-        """The one channel is luminance."""
-        return np.ones(1)
 
     @property
     def domains(self) -> Mapping[str, Domain]:

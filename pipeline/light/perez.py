@@ -15,6 +15,7 @@ from typing import ClassVar, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from pipeline.light.one_channel import OneChannel
 from pipeline.light.protocol import Array, Domain, Hints, Parameters, Prefactor, sun_angle
 
 Floats = NDArray[np.floating]
@@ -70,7 +71,7 @@ _BRIGHTNESS = (
 
 
 @dataclass(frozen=True)
-class Perez:
+class Perez(OneChannel):
     """Clearness category ``category`` over ``sun_zenith`` (radians) and ``brightness`` (Perez's Delta).
 
     ``quantity`` is ``relative``, with a zenith of 1 cd/m2, or ``absolute``: the zenith's luminance is then the 1990
@@ -87,21 +88,6 @@ class Perez:
     def title(self) -> str:
         """Name for people."""
         return f"Perez all-weather sky, clearness category {self.category}, {self.quantity}"
-
-    @property
-    def version(self) -> str:
-        """Nothing but this package's code."""
-        return ""
-
-    @property
-    def channels(self) -> tuple[str, ...]:
-        """Luminance alone."""
-        return ("luminance",)
-
-    @property
-    def luminance_row(self) -> Array:
-        """The one channel is luminance."""
-        return np.ones(1)
 
     @property
     def domains(self) -> Mapping[str, Domain]:
