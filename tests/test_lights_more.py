@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import math
 import subprocess
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any, get_args, get_type_hints
 
 import colour as colour_science
 import mpmath
@@ -27,6 +29,8 @@ from pipeline.truth.fixed import zenith_gauss
 
 Array = NDArray[np.float64]
 NEW = ("cie-overcast", "cie-clear-traditional", "cie-partly-cloudy", "cie-intermediate", "cie-general-01", "perez")
+NAMES = get_args(get_type_hints(CieTraditional)["sky"])
+CATEGORIES = get_args(get_type_hints(Perez)["category"])
 
 
 def upper(count: int) -> Array:
@@ -66,8 +70,8 @@ def test_named_skies_by_hand(theta: float) -> None:
         return sky / ((0.526 + 5 * math.exp(-1.5 * theta)) * (1 - math.exp(-0.80)))
 
     where, parameters = upper(50), {"sun_zenith": np.array(theta)}
-    for name in ("overcast", "clear", "partly-cloudy", "intermediate"):
-        got = CieTraditional(sky=name).radiance(where, parameters)[:, 0]  # type: ignore[arg-type]
+    for name in NAMES:
+        got = CieTraditional(sky=name).radiance(where, parameters)[:, 0]
         # The standard prints 0.274 for 1 - exp(-0.32) = 0.27385.
         assert got == pytest.approx([by_hand(name, d) for d in where], rel=6e-4 if name == "clear" else 1e-12)
 
@@ -114,8 +118,8 @@ def test_new_configs_load(name: str) -> None:
 
 def test_perez_against_the_perezsky_package() -> None:
     where, worst = upper(200), 0.0
-    for category, clearness in enumerate((1.03, 1.1, 1.3, 1.7, 2.3, 3.5, 5.0, 8.0), start=1):
-        domain = Perez(category=category).domains["brightness"]  # type: ignore[arg-type]
+    for category, clearness in zip(CATEGORIES, (1.03, 1.1, 1.3, 1.7, 2.3, 3.5, 5.0, 8.0), strict=True):
+        domain = Perez(category=category).domains["brightness"]
         for degrees in (5.0, 40.0, 75.0):
             # The irradiances that have this clearness and brightness, by the package's own definitions.
             theta, delta = math.radians(degrees), (domain.low + 2 * domain.high) / 3
@@ -130,7 +134,7 @@ def test_perez_against_the_perezsky_package() -> None:
             theirs = perezsky.relative_luminance(found, zeniths, angles[:, np.newaxis])[:, 0]
             theirs /= perezsky.relative_luminance(found, [0.0], np.array([[degrees]]))[0, 0]
             parameters = {"sun_zenith": np.array(theta), "brightness": np.array(delta)}
-            got = Perez(category=category).radiance(where, parameters)[:, 0]  # type: ignore[arg-type]
+            got = Perez(category=category).radiance(where, parameters)[:, 0]
             worst = max(worst, float(np.abs(got / theirs - 1).max()))
     assert worst < 1e-9
 
@@ -141,9 +145,9 @@ def test_perez_overcast_has_its_own_c_and_d() -> None:
     assert d == pytest.approx(-math.exp(0.3 * (1.8734 + 0.6297 * 0.9)) + 0.9738 + 0.3 * 0.2809, rel=1e-14)
 
 
-@pytest.mark.parametrize("category", range(1, 9))
-def test_perez_is_a_sky_in_its_whole_domain(category: int) -> None:
-    light = Perez(category=category)  # type: ignore[arg-type]
+@pytest.mark.parametrize("category", CATEGORIES)
+def test_perez_is_a_sky_in_its_whole_domain(category: Any) -> None:
+    light = Perez(category=category)
     domain = light.domains["brightness"]
     theta, delta = np.meshgrid(np.linspace(0.0, np.pi / 2, 31), np.linspace(domain.low, domain.high, 13), indexing="ij")
     assert perez.shape(category, theta, delta)[1].max() < 0
@@ -181,12 +185,12 @@ def test_perez_zenith_luminance_agrees_with_the_diffuse_efficacy() -> None:
     efficacy = perezsky.EFFICACY_DIFFUSE
     where, solid = zenith_gauss(60)
     ratios = []
-    for category in range(1, 9):
-        domain = Perez(category=category).domains["brightness"]  # type: ignore[arg-type]
+    for category in CATEGORIES:
+        domain = Perez(category=category).domains["brightness"]
         for theta in (0.4, 0.8, 1.2):
             delta = domain.low + 0.3 * (domain.high - domain.low)
             parameters = {"sun_zenith": np.array(theta), "brightness": np.array(delta)}
-            light = Perez(category=category, quantity="absolute")  # type: ignore[arg-type]
+            light = Perez(category=category, quantity="absolute")
             sky = (light.radiance(where, parameters)[:, 0] * where[:, 2] * solid).sum()
             mass = 1 / (math.cos(theta) + 0.50572 * (96.07995 - math.degrees(theta)) ** -1.6364)
             row = efficacy[category - 1] @ [1.0, 2.0, math.cos(theta), math.log(delta)]
@@ -292,9 +296,9 @@ def test_dirac_lights() -> None:
         (lambda: sun.radiance(0.5, math.nan), "turbidity nan"),
     ],
 )
-def test_wrong_lights_are_refused(call: object, text: str) -> None:
+def test_wrong_lights_are_refused(call: Callable[[], object], text: str) -> None:
     with pytest.raises(ValueError, match=text):
-        call()  # type: ignore[operator]
+        call()
 
 
 def test_operations_are_the_papers() -> None:

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import Literal
+
 import mpmath
 import numpy as np
 import pytest
@@ -116,7 +119,9 @@ def test_windows_have_their_closed_forms() -> None:
 
 @pytest.mark.parametrize("keep", ["radiance", "irradiance"])
 @pytest.mark.parametrize("bands", [2, 3, 5, 7, 10])
-def test_smallest_window_is_nowhere_negative_and_smooths_no_more_than_that(bands: int, keep: str) -> None:
+def test_smallest_window_is_nowhere_negative_and_smooths_no_more_than_that(
+    bands: int, keep: Literal["radiance", "irradiance"]
+) -> None:
     """On 10,000 directions: small suns over dim caps, an expansion at random, and one that needs nothing."""
     lights = sphere.aim(sphere.cap([0.05, 0.3, 0.8], bands), directions(3)) + 0.05 * sphere.aim(
         sphere.cap(1.2, bands), directions(1, 1)
@@ -126,7 +131,7 @@ def test_smallest_window_is_nowhere_negative_and_smooths_no_more_than_that(bands
     calm = np.where(np.arange(bands**2) == 0, 1.0, 1e-3 / bands**2)
     known = np.concatenate([lights, drawn, calm[np.newaxis]])
     kernel = sphere.clamped_cosine(bands) if keep == "irradiance" else np.ones(bands)
-    smoothing = sphere.smallest_window(known, keep)  # type: ignore[arg-type]
+    smoothing = sphere.smallest_window(known, keep)
     after = sphere.scale_degrees(known, kernel * sphere.laplacian_window(bands, smoothing))
     assert sphere.evaluate(after, directions(10_000, 9)).min() >= 0.0
     least, where = sphere.minimum(after)
@@ -341,6 +346,6 @@ def test_greens_two_lights() -> None:
         (lambda: sphere.product(np.ones(5), np.ones(4)), "5 weights"),
     ],
 )
-def test_errors_name_the_value_and_the_remedy(call: object, match: str) -> None:
+def test_errors_name_the_value_and_the_remedy(call: Callable[[], object], match: str) -> None:
     with pytest.raises(ValueError, match=match):
-        call()  # type: ignore[operator]
+        call()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
 import mpmath
 import numpy as np
@@ -113,6 +114,6 @@ def test_unmirror_puts_exact_zeros_at_negative_orders() -> None:
         (lambda: sphere.unmirror(np.zeros(5), 3), "6 weights"),
     ],
 )
-def test_errors_name_the_value(call: object, match: str) -> None:
+def test_errors_name_the_value(call: Callable[[], object], match: str) -> None:
     with pytest.raises(ValueError, match=match):
-        call()  # type: ignore[operator]
+        call()
