@@ -13,6 +13,7 @@ from pipeline.light import CieGeneral, Preetham, colour
 from pipeline.light.preetham import zenith_factor, zenith_luminance
 
 Array = NDArray[np.float64]
+SKIES = get_args(get_type_hints(CieGeneral)["sky"])
 
 
 def upper(count: int) -> Array:
@@ -87,8 +88,9 @@ def test_prefactor_keeps_the_dtype_and_matches_the_luminance() -> None:
     )
 
 
-@pytest.mark.parametrize("sky", get_args(get_type_hints(CieGeneral)["sky"]))
+@pytest.mark.parametrize("sky", SKIES)
 def test_cie_skies_are_relative_to_the_zenith(sky: Any) -> None:
+    assert set(SKIES) == set(range(1, 16))
     light = CieGeneral(sky=sky)
     parameters = {"sun_zenith": np.array(0.9)}
     assert light.radiance(np.array([0.0, 0.0, 1.0]), parameters)[0] == pytest.approx(1.0)

@@ -70,6 +70,7 @@ def test_named_skies_by_hand(theta: float) -> None:
         return sky / ((0.526 + 5 * math.exp(-1.5 * theta)) * (1 - math.exp(-0.80)))
 
     where, parameters = upper(50), {"sun_zenith": np.array(theta)}
+    assert set(NAMES) == {"overcast", "clear", "partly-cloudy", "intermediate"}
     for name in NAMES:
         got = CieTraditional(sky=name).radiance(where, parameters)[:, 0]
         # The standard prints 0.274 for 1 - exp(-0.32) = 0.27385.
