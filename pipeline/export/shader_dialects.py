@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -177,7 +177,8 @@ GLSL = Dialect(
     result_parameter_form="out {type} {name}[{size}]",
     element_form="{name}[{index}]",
 )
-HLSL = Dialect(
+HLSL = replace(
+    GLSL,
     title="HLSL",
     extension="hlsl",
     about="HLSL, shader model 4 or newer",
@@ -187,14 +188,6 @@ HLSL = Dialect(
     constant_form="static const {type} {name} = {value};",
     constants_form="static const {type} {name}[{size}] = {{{items}}};",
     fixed_form="const {type} {name} = {value};",
-    variable_form="{type} {name} = {value};",
-    array_form="{type} {name}[{size}];",
-    loop_form="for (int {name} = 0; {name} < {size}; ++{name}) {{",
-    function_form="{type} {name}({parameters})",
-    parameter_form="{type} {name}",
-    array_parameter_form="{type} {name}[{size}]",
-    result_parameter_form="out {type} {name}[{size}]",
-    element_form="{name}[{index}]",
 )
 WGSL = Dialect(
     title="WGSL",
