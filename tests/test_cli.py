@@ -120,8 +120,8 @@ def test_artifacts_commands(tmp_path: Path) -> None:
     assert invoke("artifacts", "show", broken.stem, *store)[0] == 1
 
 
-def test_failures_other_than_bad_input_exit_with_1(tmp_path: Path) -> None:
+def test_a_store_that_is_a_file_is_refused(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("in the way", encoding="utf-8")
     code, _, err = invoke("run", str(SMALL), "--store", str(tmp_path / "file"))
-    assert code in (1, 2)
-    assert "file" in err
+    assert code == 2
+    assert "is a file" in err

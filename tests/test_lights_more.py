@@ -28,7 +28,6 @@ from pipeline.store.store import Store
 from pipeline.truth.fixed import zenith_gauss
 
 Array = NDArray[np.float64]
-NEW = ("cie-overcast", "cie-clear-traditional", "cie-partly-cloudy", "cie-intermediate", "cie-general-01", "perez")
 NAMES = get_args(get_type_hints(CieTraditional)["sky"])
 CATEGORIES = get_args(get_type_hints(Perez)["category"])
 
@@ -110,11 +109,6 @@ def test_every_general_sky_fits_into_two_kilobytes(sky: int, tmp_path: Path) -> 
 def test_overcast_table_needs_no_sun(tmp_path: Path) -> None:
     rows = fitted((ROOT / "configs/cie-overcast.toml").read_text(encoding="utf-8"), tmp_path)
     assert all(row["e_mean"] <= 0.001 and row["bytes"] < 256 for row in rows)
-
-
-@pytest.mark.parametrize("name", NEW)
-def test_new_configs_load(name: str) -> None:
-    assert load(ROOT / f"configs/{name}.toml").name == name
 
 
 def test_perez_against_the_perezsky_package() -> None:
@@ -210,7 +204,7 @@ def test_perez_refuses_a_brightness_with_its_reason(tmp_path: Path) -> None:
 # Spherical lights
 
 
-@pytest.mark.parametrize("degrees", [0.01, 0.05, 0.2665, 1.0, 5.0, 30.0, 60.0, 89.9, 90.0, 120.0, 179.9])
+@pytest.mark.parametrize("degrees", [1e-6, 0.01, 0.05, 0.2665, 1.0, 5.0, 30.0, 60.0, 89.9, 90.0, 120.0, 150.0, 179.9])
 def test_zonal_weights_of_a_disc_keep_their_digits(degrees: float) -> None:
     half = math.radians(degrees)
     got = sphere.cap(half, 51)

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Literal
 
-import mpmath
 import numpy as np
 import pytest
 import sphericart
@@ -263,22 +262,6 @@ def test_everything_but_a_cap_times_the_sky_is_the_shadowed_sky() -> None:
 
 
 # Caps
-
-
-@pytest.mark.parametrize("degrees", [1e-6, 0.01, 0.2665, 5.0, 90.0, 150.0])
-def test_caps_of_any_size_match_mpmath(degrees: float) -> None:
-    angle = np.deg2rad(degrees)
-    found = sphere.cap(angle, 51)
-    with mpmath.workdps(60):
-        cosine = mpmath.cos(mpmath.mpf(float(angle)))
-        legendre = [mpmath.mpf(1), cosine]
-        for l in range(1, 51):
-            legendre.append(((2 * l + 1) * cosine * legendre[l] - l * legendre[l - 1]) / (l + 1))
-        for l in range(51):
-            solid = 2 * mpmath.pi * (1 - cosine)
-            before = legendre[l - 1] if l else mpmath.mpf(1)
-            exact = mpmath.sqrt(mpmath.pi / (2 * l + 1)) * (before - legendre[l + 1 if l else 1])
-            assert abs(found[l] - exact) < 1e-13 * mpmath.sqrt((2 * l + 1) / (4 * mpmath.pi)) * solid
 
 
 def test_caps_equal_integration_and_greens_closed_forms() -> None:

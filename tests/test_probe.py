@@ -120,7 +120,7 @@ def test_a_sky_comes_back_from_512_pixels(layout: Layout, height: int, width: in
     size = 512 // width
     for sun_zenith, turbidity in SKIES:
         image = sky(sun_zenith, turbidity, layout, size * height, size * width)
-        assert error(probe.project(image, layout, 5, signed=True), truth(sun_zenith, turbidity, 5)) < 3e-4
+        assert error(probe.project(image, layout, 5, signed=True), truth(sun_zenith, turbidity, 5)) < 2e-4
 
 
 @pytest.mark.parametrize(

@@ -59,15 +59,6 @@ def test_irradiance_is_the_clamped_cosine_of_radiance(tmp_path: Path, plain: run
     assert {place[0] for place in folded.table.layout.places if place} == {0, 1, 2}
 
 
-def test_clamped_cosine_equals_its_integral() -> None:
-    x, w = np.polynomial.legendre.leggauss(60)
-    z = (x + 1) / 2
-    for l, factor in enumerate(sphere.clamped_cosine(24)):
-        legendre = np.polynomial.legendre.legval(z, np.eye(l + 1)[l])
-        # 2 pi times the integral of max(z, 0) P_l(z).
-        assert factor == pytest.approx(2 * math.pi * float(np.sum(w / 2 * z * legendre)), abs=1e-13)
-
-
 def test_window_is_folded_and_follows_the_bands(tmp_path: Path, plain: runtime.Runtime) -> None:
     result = run_quietly(config_of(tmp_path, "window = true"), tmp_path)
     folded = loaded(result)
