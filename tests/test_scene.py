@@ -4,18 +4,20 @@ from __future__ import annotations
 
 import math
 import subprocess
+import tomllib
 from pathlib import Path
 
 import numpy as np
 import pytest
-from conftest import SMALL, run_quietly
+from conftest import ROOT, SMALL, run_quietly
 from numpy.typing import NDArray
 from test_export import STRICT
 
 from pipeline import runtime, sphere
-from pipeline.config import Config, ConfigError, load
+from pipeline.config import Config, ConfigError, load, parse
 from pipeline.config.sun import zenith_range
 from pipeline.run.runner import Result
+from pipeline.run.stages import origins
 from pipeline.store.store import Store
 
 Array = NDArray[np.float64]
@@ -270,3 +272,11 @@ def test_gradient_batch_and_dominant_direction(small_run: Result, tmp_path: Path
     assert math.atan2(y, x) == pytest.approx(0.4, abs=1e-5)
     assert math.hypot(x, y, z) == pytest.approx(1.0, abs=1e-6)
     assert z > 0.3
+
+
+def test_the_paper_is_explained_by_radiance_alone() -> None:
+    """Its scheme fitted radiance above a black ground: no other scene computes it, nor mixes the two."""
+    text = (ROOT / "configs" / "preetham.toml").read_text(encoding="utf-8")
+    scenes = ("", '[scene]\nground = "mirror"\n', '[scene]\nquantity = "irradiance"\nwindow = false\n')
+    wanted = [origins.is_wanted(parse(tomllib.loads(f"{text}\n{scene}"), "a config")) for scene in scenes]
+    assert wanted == [True, False, False]

@@ -20,6 +20,7 @@ from pipeline.bench.page import Row, Section
 from pipeline.bench.samples import Samples
 from pipeline.export import paper_literal
 from pipeline.table.table import Table
+from pipeline.truth import sets as parameter_sets
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -166,7 +167,7 @@ def _lookups(samples: Samples) -> dict[str, Candidate]:
     for fineness in (1, 2, 4):
         sizes = [max(4, fineness * n) for n in list(islice(chain((16, 6), repeat(3)), len(config.axes)))]
         nodes = [np.linspace(*axis.range, n) for axis, n in zip(config.axes, sizes, strict=True)]
-        sets = np.stack([c.ravel() for c in np.meshgrid(*nodes, indexing="ij")], axis=-1)
+        sets = parameter_sets.grid(nodes)
         values = np.asarray(trial.table_of(samples, whole, "float64").evaluate(sets), dtype=np.float64)
         for kind in lookup.POINTS:
             text = lookup.header(whole.axes, sizes, values.reshape(*sizes, *values.shape[1:]), bands, kind)

@@ -14,8 +14,10 @@ from pipeline.fit import solve
 from pipeline.fit.axes import Axis
 from pipeline.fit.bases import BASES
 from pipeline.table import factor as factors
+from pipeline.table import table as tables
 from pipeline.table.factor import Factor
 from pipeline.table.table import Frame, Table, whole
+from pipeline.truth import sets
 
 Array = NDArray[np.float64]
 OWN = "config"
@@ -33,11 +35,8 @@ class Trial:
 
     def products(self, where: Array) -> Array:
         """Return all products of basis functions at parameter sets ``(n, axes)``: ``(n, terms)``."""
-        out = np.ones((len(where), 1))
-        for i, (axis, size) in enumerate(zip(self.axes, self.dense.shape[2:], strict=True)):
-            vander = BASES[self.basis].vander(axis.scaled(where[:, i]), size - 1)
-            out = (out[:, :, np.newaxis] * vander[:, np.newaxis]).reshape(len(where), -1)
-        return out
+        degrees = [size - 1 for size in self.dense.shape[2:]]
+        return np.asarray(tables.products(self.basis, self.axes, where, degrees), dtype=np.float64)
 
 
 def paper_degrees(samples: Samples) -> list[int]:
@@ -63,7 +62,7 @@ def system(
     config = samples.config
     axes = samples.frame.axes if kind == OWN else tuple(Axis(a.name, *a.range, map=kind) for a in config.axes)
     shape = values.shape[:-2]
-    grid = np.stack([c.ravel() for c in np.meshgrid(*samples.nodes, indexing="ij")], axis=-1)
+    grid = sets.grid(samples.nodes)
     right = values / factor_of(samples, kind, grid).reshape(*shape, 1, 1)
     vander = BASES[basis].vander
     matrices = [

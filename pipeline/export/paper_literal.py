@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
 from numpy.typing import NDArray
 
+from pipeline.export.c_header import template
 from pipeline.sphere import count
 
 Array = NDArray[np.float64]
@@ -19,7 +19,7 @@ def write(coefficients: Array, names: Sequence[str], channels: Sequence[str], pr
     if count(bands) != coefficients.shape[1]:
         raise ValueError(f"{coefficients.shape[1]} weights are not a square number N*N of bands.")
     sizes = coefficients.shape[2:]
-    return _TEMPLATES.get_template("paper_literal.h.j2").render(
+    return template("paper_literal.h.j2").render(
         p=prefix,
         P=prefix.upper(),
         bands=bands,
@@ -30,12 +30,3 @@ def write(coefficients: Array, names: Sequence[str], channels: Sequence[str], pr
         numbers=[f"{value:.17e}" for value in coefficients.ravel().tolist()],
         parameters=", ".join(f"float {name}" for name in (names[0], "sun_azimuth", *names[1:])),
     )
-
-
-_TEMPLATES = Environment(
-    loader=PackageLoader("pipeline.export"),
-    undefined=StrictUndefined,
-    keep_trailing_newline=True,
-    # C is no markup.
-    autoescape=select_autoescape(default=False),
-)

@@ -9,10 +9,9 @@ from collections.abc import Callable, Sequence
 from itertools import product
 
 import numpy as np
-from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
 
 from pipeline import __version__, sphere
-from pipeline.export.c_header import PREFIX, Facts
+from pipeline.export.c_header import PREFIX, Facts, template
 from pipeline.export.shader_dialects import DIALECTS, Dialect, check_prefix, expression, number
 from pipeline.fit.maps import MAPS
 from pipeline.light import PREFACTORS
@@ -68,7 +67,7 @@ def write(table: Table, facts: Facts, language: str, prefix: str = "skylight_sh"
     colour = "real" if len(table.channels) == 1 else f"vec{len(table.channels)}"
     ranges = [f"{a.name}: [{a.low:.9g}, {a.high:.9g}] {'' if a.unit == '1' else a.unit}".rstrip() for a in table.axes]
     fours = table.body.rows.reshape(-1, 4)
-    return _TEMPLATES.get_template("skylight_sh.shader.j2").render(
+    return template("skylight_sh.shader.j2").render(
         d=dialect,
         p=prefix,
         P=prefix.upper(),
@@ -254,12 +253,3 @@ def _wrapped(text: str) -> list[str]:
 def _comment(text: str) -> str:
     """Keep text inside its line: no break of any language, no backslash that joins it to the next, nothing but ASCII."""
     return " ".join(text.split()).encode("ascii", "replace").decode().replace("\\", "/")
-
-
-_TEMPLATES = Environment(
-    loader=PackageLoader("pipeline.export"),
-    undefined=StrictUndefined,
-    keep_trailing_newline=True,
-    # Shaders are no markup; ``_comment`` keeps text inside its line.
-    autoescape=select_autoescape(default=False),
-)

@@ -47,17 +47,16 @@ class _Search:
 
     def sharpened(self, lengths: Index, budget: float) -> Kept:
         """Fit with the importance moved to the worst sets until the budget is met or no round helps; return the best."""
-        best = self.fit(lengths)
+        best = made = self.fit(lengths)
         importance, normal = self.importance, self.normal
         for _ in range(_ROUNDS):
             if best.error <= budget:
                 break
-            made = self.fit(lengths)
             errors = self.grid.errors(made.dense.reshape(*made.dense.shape[:2], -1))
             self.importance = sharpen(self.importance, errors, self.shape)
             self.normal = metric(self.grid, self.importance)
-            fresh = self.fit(lengths)
-            best = min(best, fresh, key=lambda k: k.error)
+            made = self.fit(lengths)
+            best = min(best, made, key=lambda k: k.error)
         if best.error > budget:
             self.importance, self.normal = importance, normal
         return best

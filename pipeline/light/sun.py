@@ -99,12 +99,6 @@ def spectral_transmittance(theta: ArrayLike, tau: ArrayLike, wavelengths: Array 
     return np.asarray(np.exp(-mass * depth - lines - 0.2385 * wet / (1.0 + 20.07 * wet) ** 0.45))
 
 
-def transmittance(theta: ArrayLike, tau: ArrayLike) -> Array:
-    """Return the share of the sun's luminance that reaches the ground, ``(...)``; arguments as above."""
-    seen = SPECTRUM * OBSERVER[1]
-    return np.asarray(spectral_transmittance(theta, tau) @ (seen / seen.sum()))
-
-
 def radiance(theta: ArrayLike, tau: ArrayLike, colour_space: str = "srgb") -> Array:
     """Return the disc's linear RGB ``(..., 3)``, luminance-scaled in cd/m2 like the sky's.
 

@@ -70,8 +70,8 @@ def blur(weights: NDArray[np.floating], sigma: float) -> Array:
     """
     if not 0.0 <= sigma < np.inf:
         raise ValueError(f"Invalid blur of {sigma} radians. Should be a finite angle of at least 0.")
-    degrees, _ = sphere.degrees_orders(round(weights.shape[-1] ** 0.5))
-    return np.asarray(weights * np.exp(-degrees * (degrees + 1) * sigma**2 / 2))
+    l = np.arange(sphere.bands_of(weights))
+    return sphere.scale_degrees(weights, np.exp(-l * (l + 1) * sigma**2 / 2))
 
 
 def _sum(chart: Chart, u: Array, v: Array, flux: Array, bands: int) -> Array:

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pipeline.sphere._basis import basis
-from pipeline.sphere._convolution import scale_degrees
+from pipeline.sphere._convolution import convolve
 from pipeline.sphere._indexing import check_bands
 
 Array = NDArray[np.float64]
@@ -48,9 +48,7 @@ def aim(zonal: ArrayLike, directions: Array) -> Array:
     """Turn a function symmetric about +z to ``directions``: zonal weights ``(..., N)`` -> weights ``(..., N*N)``.
 
     ``directions`` are unit vectors ``(..., 3)``; leading axes broadcast. ``sqrt(4 pi / (2l+1)) y_lm(direction)`` times the
-    weight (Mezieres and Paulin, eq. 13): a rotation without a matrix.
+    weight (Mezieres and Paulin, eq. 13): a rotation without a matrix, the convolution of a Dirac light.
     """
     known = np.asarray(zonal, dtype=np.float64)
-    bands = known.shape[-1]
-    l = np.arange(bands)
-    return scale_degrees(basis(directions, bands), known * np.sqrt(4 * np.pi / (2 * l + 1)))
+    return convolve(basis(directions, known.shape[-1]), known)

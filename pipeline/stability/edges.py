@@ -43,8 +43,11 @@ def section(samples: Samples, table: Table) -> Section:
     return Section("edges", "Edges, outside, and next to the pole", TEXT, rows)
 
 
-def _row(what: str, error: float, bound: float, answer: str) -> Row:
-    return {"what": what, "error": error, "bound": bound, "holds": "yes" if error <= bound else "no", "answer": answer}
+def _row(what: str, error: float, bound: float, answer: str, otherwise: str = "does not hold") -> Row:
+    """Return a row with the answer that its figures give, ``otherwise`` where they are out of bounds."""
+    holds = error <= bound
+    answer = answer if holds else otherwise
+    return {"what": what, "error": error, "bound": bound, "holds": "yes" if holds else "no", "answer": answer}
 
 
 def _truth_edges(config: Config) -> Iterator[Row]:
@@ -111,7 +114,7 @@ def _refusals(config: Config) -> Iterator[Row]:
                 yield _row(f"a config asks for {axis.name} = {value:.4g}", 0.0, 0.0, f"refuses: {first}")
             else:
                 yield _row(
-                    f"a config asks for {axis.name} = {value:.4g}", math.inf, 0.0, "runs, though the light ends before"
+                    f"a config asks for {axis.name} = {value:.4g}", math.inf, 0.0, "", "runs, though the light ends before"
                 )
 
 
@@ -123,13 +126,8 @@ def _near_the_pole(config: Config) -> Iterator[Row]:
         axes = tuple(a.model_copy(update={"range": (low, a.range[1])}) if a.name == "turbidity" else a for a in config.axes)
         near = sample(config.model_copy(update={"axes": axes}), bands=4, random=200)
         error = _whole_error(near)
-        yield {
-            "what": f"all degrees of the config, 4 bands, turbidity from {low:g} (the pole is at 1.643)",
-            "error": error,
-            "bound": _SMALLEST_BUDGET,
-            "holds": "yes" if error <= _SMALLEST_BUDGET else "no",
-            "answer": "fits; where it did not, the selection would refuse the budget and name the error reached",
-        }
+        what = f"all degrees of the config, 4 bands, turbidity from {low:g} (the pole is at 1.643)"
+        yield _row(what, error, _SMALLEST_BUDGET, "fits", "the selection refuses the budget and names the error reached")
 
 
 def _whole_error(samples: Samples) -> float:

@@ -24,11 +24,12 @@ from pipeline.store.dataset import Dataset, Variable
 from pipeline.table import factor as factors
 from pipeline.table.measure import measure
 from pipeline.table.table import Frame, Table, whole
+from pipeline.truth import sets as parameter_sets
 
 Array = NDArray[np.float64]
 
 _CODE = (
-    *("light", "sphere", "fit", "table", "export/npz.py"),
+    *("light", "sphere", "fit", "table", "truth/sets.py", "export/npz.py"),
     *(f"run/stages/{part}.py" for part in ("fit", "axes", "frame", "scene")),
 )
 
@@ -57,9 +58,7 @@ def reference_of(config: Config, inputs: Inputs) -> Reference:
     parameters = []
     for part in parts:
         columns = [part[name] for name in names]
-        if "set" not in part.variables:
-            columns = [c.ravel() for c in np.meshgrid(*columns, indexing="ij")]
-        parameters.append(np.stack(columns, axis=-1))
+        parameters.append(np.stack(columns, axis=-1) if "set" in part.variables else parameter_sets.grid(columns))
     weights = np.concatenate([p["weights"].reshape(-1, *p["weights"].shape[-2:]) for p in parts])
     scale = luminance_scale(config)
     return Reference(
@@ -78,7 +77,7 @@ def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
     mirrored = bool(grid.attrs["mirrored"])
     frame = frame_of(config, inputs, mirrored=mirrored)
     axes, nodes = frame.axes, fit_nodes(config, frame.axes)
-    flat = np.stack([c.ravel() for c in np.meshgrid(*nodes, indexing="ij")], axis=-1)
+    flat = parameter_sets.grid(nodes)
     scaled = samples / factors.evaluate(frame.factor, axes, flat).reshape(*shape, 1, 1)
     basis = BASES[config.fit.basis]
     matrices = [basis.vander(a.scaled(n), s.degrees[1]) for a, n, s in zip(axes, nodes, config.axes, strict=True)]

@@ -46,8 +46,9 @@ _SIDES = (12, 18, 26, 36, 50)
 
 
 def is_wanted(config: Config) -> bool:
-    """Say whether the report shows the origins: nothing is computed for a report that does not."""
-    return NAME in config.report.figures
+    """Say whether the report shows the origins, which are those of radiance above a black ground, as in the paper."""
+    scene = config.scene
+    return NAME in config.report.figures and scene.quantity == "radiance" and scene.ground == "black"
 
 
 def steps(config: Config) -> list[Step]:
@@ -57,6 +58,7 @@ def steps(config: Config) -> list[Step]:
     parameters = {
         "light": {**asdict(config.light), "version": config.light.version},
         "axes": [axis.model_dump(mode="json") for axis in config.axes],
+        "scene": config.scene.model_dump(mode="json"),
     }
     needed = ("truth/grid", *variables(config), *truth_inputs(config))
     return [Step("fit", NAME, _CODE, needed, parameters, partial(_make, config))]

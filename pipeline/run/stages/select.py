@@ -29,6 +29,7 @@ from pipeline.table import packed
 from pipeline.table import table as tables
 from pipeline.table.measure import headline, least_reconstructed, measure
 from pipeline.table.table import Frame, Table
+from pipeline.truth import sets as parameter_sets
 
 Array = NDArray[np.float64]
 # Bytes and E_mean of a table that was tried.
@@ -36,7 +37,7 @@ Point = tuple[float, float]
 Result = tuple[Wanted, Table, list[Point]]
 
 _CODE = (
-    *("light", "sphere", "fit", "table", "export/npz.py", "config/names.py"),
+    *("light", "sphere", "fit", "table", "truth/sets.py", "export/npz.py", "config/names.py"),
     *(f"run/stages/{part}.py" for part in ("select", "fit", "axes", "frame", "scene")),
 )
 # How often a table that float32 carries over its budget is sought again, with a budget how much below proportion.
@@ -169,7 +170,7 @@ def _gather(config: Config, inputs: Inputs) -> _Material:
     least = grid["least_luminance"].ravel()
     if convention != "per-set":
         least = mean_luminance(radiance[:, :, 0], config.source.luminance_row)
-    sets = np.stack([c.ravel() for c in np.meshgrid(*nodes, indexing="ij")], axis=-1)
+    sets = parameter_sets.grid(nodes)
     degrees = tuple(axis.degrees[1] for axis in config.axes)
     swept, errors = inputs["fit"]["sweep/degrees"], inputs["fit"]["sweep/e_mean"][0]
     return _Material(frame, sets, weights, scale * least, shape, degrees, reference, swept, errors, partial(window, config))

@@ -27,7 +27,7 @@
  *
  * Provenance
  *   config preetham, table 4-bands-0.005pct
- *   selection 5d35f76ade422c8a01a219b6df8946c1151036703c9b1ae225f851f566c2f0fe
+ *   selection e3caf555dfd66a10ceb3a061bb7cd94fb300e651e5b7b9fe6fc508e522599e07
  *   python 3.11.7, numpy 2.4.6, scipy 1.17.1, h5py 3.16.0, dask 2026.8.0
  *   x86_64: AVX512_ICL X86_V2 X86_V3 X86_V4
  */
