@@ -6,7 +6,6 @@ import csv
 import io
 import json
 import math
-import os
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from datetime import date
@@ -18,6 +17,7 @@ from numpy.typing import NDArray
 
 from pipeline.export import engines, sun
 from pipeline.runtime import CLAMPED, INVALID, Runtime
+from pipeline.store import atomic
 
 Array = NDArray[np.float64]
 Night = Literal["skip", "zero"]
@@ -138,9 +138,4 @@ def write(day: Day, path: Path) -> None:
     """Write the day to ``path``, whole or not at all; its suffix, .json or .csv, decides the form. ValueError for others."""
     if path.suffix not in WRITERS:
         raise ValueError(f"Invalid output {str(path)!r}. Should end in {' or '.join(WRITERS)}.")
-    temporary = path.with_name(f".{path.name}.{os.getpid()}.partial")
-    try:
-        temporary.write_text(WRITERS[path.suffix](day), encoding="utf-8")
-        os.replace(temporary, path)
-    finally:
-        temporary.unlink(missing_ok=True)
+    atomic.write(path, WRITERS[path.suffix](day).encode())

@@ -18,6 +18,7 @@ from pipeline.run import plan, progress
 from pipeline.run.provenance import environment, settings
 from pipeline.run.stages import export, fit, origins, report, select, truth, variables
 from pipeline.run.stages.files import from_dataset
+from pipeline.store import atomic
 from pipeline.store.store import Store
 
 # The order is the pipeline's: each stage reads only what stands before it.
@@ -96,9 +97,4 @@ def _publish(folder: Path, files: Mapping[str, bytes]) -> None:
 
 def _write(path: Path, data: bytes) -> None:
     path.parent.mkdir(parents=True, exist_ok=True)
-    temporary = path.with_name(f".{path.name}.{os.getpid()}.partial")
-    try:
-        temporary.write_bytes(data)
-        os.replace(temporary, path)
-    finally:
-        temporary.unlink(missing_ok=True)
+    atomic.write(path, data)

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import json
-import os
 import re
 import time
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from pipeline.store import hdf5
+from pipeline.store import atomic, hdf5
 from pipeline.store.dataset import Dataset
 
 _KEY = re.compile(r"[0-9a-f]{64}")
@@ -71,9 +70,7 @@ class Store:
         """Remember that the run named ``run`` uses ``keys``, so that ``collect`` leaves them."""
         path = self.root / "runs" / f"{run}.json"
         path.parent.mkdir(parents=True, exist_ok=True)
-        temporary = path.with_suffix(f".{os.getpid()}.partial")
-        temporary.write_text(json.dumps(sorted(keys), indent=1) + "\n", encoding="utf-8")
-        os.replace(temporary, path)
+        atomic.write(path, (json.dumps(sorted(keys), indent=1) + "\n").encode())
 
     def collect(self) -> Iterator[Entry]:
         """Delete, and yield, every artifact that no run's last result uses, and temporary files left behind."""
