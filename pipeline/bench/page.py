@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
+from threadpoolctl import threadpool_limits
 
 from pipeline.bench import tabular
 
@@ -28,13 +29,25 @@ class Section:
     draw: Callable[[Sequence[Row]], Figure] | None = None
 
 
-def publish(folder: Path, title: str, lead: str, sections: Sequence[Section]) -> str:
-    """Write ``index.html``, a CSV a section and its picture into ``folder``; return all sections as text."""
+def publish(
+    folder: Path,
+    title: str,
+    lead: str,
+    sections: Sequence[Callable[[], Section]],
+    advance: Callable[[int, int], None],
+) -> str:
+    """Measure on one thread, then write ``index.html``, a CSV a section and its picture; return all sections as text."""
     from pipeline.report import style
 
+    measured = []
+    with threadpool_limits(1):
+        for done, measure in enumerate(sections):
+            advance(done, len(sections))
+            measured.append(measure())
+    advance(len(sections), len(sections))
     folder.mkdir(parents=True, exist_ok=True)
     shown = []
-    for section in sections:
+    for section in measured:
         tabular.save(folder / f"{section.name}.csv", section.rows)
         if section.draw:
             (folder / f"{section.name}.png").write_bytes(style.png(section.draw(section.rows)))
@@ -43,7 +56,7 @@ def publish(folder: Path, title: str, lead: str, sections: Sequence[Section]) ->
         shown.append({"section": section, "columns": columns, "rows": cells})
     page = _TEMPLATES.get_template("measurements.html.j2").render(title=title, lead=lead, sections=shown)
     (folder / "index.html").write_text(page, encoding="utf-8")
-    parts = [f"{s.title}\n{tabular.text(s.rows)}\n" for s in sections]
+    parts = [f"{s.title}\n{tabular.text(s.rows)}\n" for s in measured]
     return "\n".join([*parts, f"page  {folder / 'index.html'}"])
 
 

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 from pipeline.config.names import table_names
 from pipeline.config.schema import AxisSection, Config
-from pipeline.light import PREFACTORS
+from pipeline.light import PREFACTORS, Preetham
 
 _NAME = re.compile(r"[a-z][a-z0-9_]{1,31}")
 # Names of the header's own, and of the store's dimensions.
@@ -61,6 +61,9 @@ def _scene(config: Config) -> Iterator[Problem]:
         elif any(axis.name == name for axis in config.axes):
             yield Problem(path, value, f"A fixed parameter is no axis. Remove the [[axes]] table of {name}, or fix nothing.")
 
+    if config.scene.sun_disc and not isinstance(config.light, Preetham):
+        remedy = "The disc's dimming is Preetham's, by turbidity. Use model = \"preetham\", or leave the disc out."
+        yield Problem("$.scene.sun_disc", True, remedy)
     ground, channels = config.scene.ground, len(config.source.channels)
     if not isinstance(ground, str) and len(ground) != channels:
         yield Problem(

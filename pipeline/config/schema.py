@@ -26,7 +26,7 @@ Fraction = Annotated[float, Field(gt=0.0, le=1.0)]
 Bands = Annotated[int, Field(ge=1, le=32)]
 DType = Literal["float32", "float64"]
 BasisName = Literal["chebyshev", "legendre", "monomial", "fourier"]
-Picture = Literal["bands", "origins", "maps", "panoramas", "ringing", "gibbs", "bytes", "degrees"]
+Picture = Literal["bands", "origins", "maps", "panoramas", "daylight", "ringing", "gibbs", "bytes", "degrees"]
 SolverName = Literal["svd", "qr", "normal"]
 Target = Literal["c", "npz", "glsl", "hlsl", "wgsl", "vectors"]
 
@@ -165,7 +165,12 @@ class SceneSection(_Section):
     ground: Literal["black", "mirror"] | tuple[Annotated[float, Field(ge=0.0, le=1.0)], ...] = Field(
         "black",
         description="below the horizon: black (the paper), mirror (the sky again), or one albedo a channel, 0 to 1, of an "
-        "even ground lit by the sky",
+        "even ground lit by sky and sun",
+    )
+    sun_disc: bool = Field(
+        False,
+        description="whether the sun's disc shines beside the Preetham sky, dimmed by the air of the same turbidity, and "
+        "lights the ground",
     )
     window: bool = Field(False, description="fold the zonal window of eq. 5 into the weights")
     fixed: dict[str, float] = Field({}, description="parameters that never change, e.g. { turbidity = 3.0 }")

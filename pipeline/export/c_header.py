@@ -75,7 +75,7 @@ def write(table: Table, facts: Facts, prefix: str = "skylight_sh") -> str:
         notes=notes,
         fixed_azimuth=table.azimuth is not None,
         windowed=table.windowed,
-        ground=_GROUND.get(table.ground, f"an even ground of {table.ground}, lit by the sky"),
+        ground=_below(table),
         ground_added=_lower(table),
         e_mean=facts.e_mean,
         e_max=facts.e_max,
@@ -108,7 +108,10 @@ def write(table: Table, facts: Facts, prefix: str = "skylight_sh") -> str:
     )
 
 
-_GROUND = {"black": "black", "mirror": "the sky's mirror image"}
+def _below(table: Table) -> str:
+    """Return in words what is below the horizon."""
+    lit = f"an even ground of {table.ground}, lit by the sky{' and the sun' if table.sun_disc else ''}"
+    return {"black": "black", "mirror": "the sky's mirror image"}.get(table.ground, lit)
 
 
 def _lower(table: Table) -> list[str]:
@@ -133,6 +136,10 @@ def _about(table: Table) -> tuple[str, str, list[str]]:
         quantity, unit = "linear radiance, luminance-scaled cd/m2", "cd/m2"
     if table.windowed:
         notes.append("The zonal window sinc(pi l / bands) (Habel et al. 2008, eq. 5) is in the weights.")
+    if table.sun_disc:
+        notes.append("The sun's disc, 0.2665 degrees in radius and dimmed by the air, is in the weights.")
+    elif "sun_zenith" in [axis.name for axis in table.axes]:
+        notes.append("The glow about the sun is in the weights, its disc is not: with a disc of your own, add no halo.")
     if table.azimuth is not None:
         notes.append(f"The sun's azimuth is {table.azimuth:.9g} rad for good.")
     if isinstance(table.factor, ClosedForm):

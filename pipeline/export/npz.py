@@ -22,7 +22,7 @@ from pipeline.table.packed import Packed
 from pipeline.table.rows import Rows
 from pipeline.table.table import Table
 
-FORMAT = 2
+FORMAT = 3
 _NO_DATE = (1980, 1, 1, 0, 0, 0)
 _NONE = np.zeros(0, dtype=np.float32)
 
@@ -45,6 +45,7 @@ def write(table: Table) -> bytes:
         "windowed": table.windowed,
         "azimuth": table.azimuth,
         "ground": table.ground,
+        "sun_disc": table.sun_disc,
         "provenance": table.provenance,
     }
     arrays["denominator"] = table.factor.coefficients if isinstance(table.factor, Reciprocal) else _NONE
@@ -117,4 +118,5 @@ def _table(header: dict[str, Any], archive: Mapping[str, NDArray[Any]]) -> Table
         windowed=header["windowed"],
         azimuth=header["azimuth"],
         ground=header["ground"],
+        sun_disc=header["sun_disc"],
     )

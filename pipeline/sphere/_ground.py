@@ -27,19 +27,22 @@ def lower_hemisphere(bands: int) -> Array:
     return out
 
 
-def add_ground(weights: Array, albedo: ArrayLike, bands: int, *, mirrored: bool = False) -> Array:
+def add_ground(
+    weights: Array, albedo: ArrayLike, bands: int, *, mirrored: bool = False, from_below: ArrayLike = 0.0
+) -> Array:
     """Add an even ground of ``albedo``, lit by the light above it, to weights that are black below the horizon.
 
     ``weights`` ``(..., count)`` are those of ``degrees_orders(bands, mirrored=mirrored)``; ``albedo`` broadcasts to
     ``(...)``. The ground's radiance is albedo E / pi. Since nothing shines from below, E, the irradiance on the horizontal,
-    is the integral of radiance times z: a multiple of the weight l = 1, m = 0, so that the result is exact. Raises
+    is the integral of radiance times z: a multiple of the weight l = 1, m = 0, so that the result is exact. Where something
+    does, as a sun half set, ``from_below`` ``(...)`` is the integral of radiance times -z below the horizon. Raises
     ValueError for one band.
     """
     if bands < 2:
         raise ValueError("One band does not tell the irradiance on the ground. Give at least two bands.")
     degrees, orders = degrees_orders(bands, mirrored=mirrored)
     zonal = np.flatnonzero(orders == 0)
-    irradiance = math.sqrt(4 * math.pi / 3) * weights[..., zonal[1]]
+    irradiance = math.sqrt(4 * math.pi / 3) * weights[..., zonal[1]] + np.asarray(from_below)
     out = np.array(weights, dtype=np.float64)
     ground = np.asarray(albedo) * irradiance / math.pi
     out[..., zonal] += ground[..., np.newaxis] * lower_hemisphere(bands)[degrees[zonal]]

@@ -35,7 +35,7 @@ class Table:
     (``Packed``). Weights are those of order m >= 0 where ``mirrored``, else all N*N. ``factor`` multiplies the polynomials.
     ``provenance`` is JSON-like and says where the table comes from. ``quantity`` is radiance or irradiance; ``windowed``
     says that the window of eq. 5 is in the weights; ``azimuth`` is the sun's where it is no input (radians);
-    ``ground`` says what is below the horizon.
+    ``ground`` says what is below the horizon, ``sun_disc`` whether the sun's disc is in the weights.
     """
 
     axes: tuple[Axis, ...]
@@ -51,6 +51,7 @@ class Table:
     windowed: bool = False
     azimuth: float | None = None
     ground: str = "black"
+    sun_disc: bool = False
 
     @property
     def dtype(self) -> np.dtype[np.floating]:
@@ -177,6 +178,7 @@ class Frame:
     windowed: bool = False
     azimuth: float | None = None
     ground: str = "black"
+    sun_disc: bool = False
 
     def table(self, bands: int, degrees: tuple[int, ...], body: Rows | Packed) -> Table:
         """Return a table of this frame."""
@@ -193,6 +195,7 @@ class Frame:
             windowed=self.windowed,
             azimuth=self.azimuth,
             ground=self.ground,
+            sun_disc=self.sun_disc,
         )
 
 

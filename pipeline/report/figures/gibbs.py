@@ -31,7 +31,7 @@ CAPTION = (
 def draw(material: Material) -> Figure | None:
     """Draw the study; None for fewer than 3 bands, and where weights are windowed, lit from below, or no radiance."""
     table = material.best.table
-    if table.windowed or table.quantity != "radiance" or table.ground != "black":
+    if table.windowed or table.quantity != "radiance" or table.ground != "black" or table.sun_disc:
         return None
     bands = tuple(range(3, min(material.bands, 10) + 1))
     if not bands:

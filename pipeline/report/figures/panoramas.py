@@ -49,7 +49,9 @@ def _column(material: Material, panels: list[Axes], title: str, values: np.ndarr
     white = float(np.quantile(sky[: len(sky) // 2] @ light.luminance_row, 0.98))
     # An even sky's irradiance is pi times its radiance.
     scale = np.pi if table.quantity == "irradiance" else 1.0
-    for panel, picture, level in zip(panels, (sky, true, made), (white, scale * white, scale * white), strict=False):
+    # A sun in the weights outshines the sky.
+    lit = float(np.quantile(true @ light.luminance_row, 0.98)) if table.sun_disc else scale * white
+    for panel, picture, level in zip(panels, (sky, true, made), (white, lit, lit), strict=False):
         panel.imshow(panorama.display(picture, level), extent=panorama.EXTENT, aspect="auto", interpolation="nearest")
     difference = 100 * ((made - true) @ light.luminance_row) / (scale * _scale(material, values))
     reach = max(float(np.abs(difference).max()), 1e-12)

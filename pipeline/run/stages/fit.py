@@ -60,10 +60,10 @@ def reference_of(config: Config, inputs: Inputs) -> Reference:
         columns = [part[name] for name in names]
         parameters.append(np.stack(columns, axis=-1) if "set" in part.variables else parameter_sets.grid(columns))
     weights = np.concatenate([p["weights"].reshape(-1, *p["weights"].shape[-2:]) for p in parts])
-    scale = luminance_scale(config)
+    scale, sets = luminance_scale(config), np.concatenate(parameters)
     return Reference(
-        parameters=np.concatenate(parameters),
-        weights=folded(config, weights, parts[0]["degree"]),
+        parameters=sets,
+        weights=folded(config, weights, parts[0]["degree"], sets),
         degrees=parts[0]["degree"],
         least=scale * np.concatenate([p["least_luminance"].ravel() for p in parts]),
         mean=scale * mean_luminance(weights[:, :, 0], config.source.luminance_row),
@@ -72,12 +72,12 @@ def reference_of(config: Config, inputs: Inputs) -> Reference:
 
 def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
     grid = inputs["truth/grid"]
-    samples = folded(config, grid["weights"], grid["degree"])
-    shape, outputs = samples.shape[:-2], samples.shape[-2:]
     mirrored = bool(grid.attrs["mirrored"])
     frame = frame_of(config, inputs, mirrored=mirrored)
     axes, nodes = frame.axes, fit_nodes(config, frame.axes)
+    shape, outputs = grid["weights"].shape[:-2], grid["weights"].shape[-2:]
     flat = parameter_sets.grid(nodes)
+    samples = folded(config, grid["weights"], grid["degree"], flat.reshape(*shape, -1))
     scaled = samples / factors.evaluate(frame.factor, axes, flat).reshape(*shape, 1, 1)
     basis = BASES[config.fit.basis]
     matrices = [basis.vander(a.scaled(n), s.degrees[1]) for a, n, s in zip(axes, nodes, config.axes, strict=True)]

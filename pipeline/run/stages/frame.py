@@ -33,4 +33,5 @@ def frame_of(config: Config, inputs: Inputs, *, mirrored: bool) -> Frame:
         scene.window,
         scene.azimuth,
         scene.ground if isinstance(scene.ground, str) else f"albedo {', '.join(f'{a:g}' for a in scene.ground)}",
+        scene.sun_disc,
     )

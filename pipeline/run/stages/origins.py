@@ -48,7 +48,7 @@ _SIDES = (12, 18, 26, 36, 50)
 def is_wanted(config: Config) -> bool:
     """Say whether the report shows the origins, which are those of radiance above a black ground, as in the paper."""
     scene = config.scene
-    return NAME in config.report.figures and scene.quantity == "radiance" and scene.ground == "black"
+    return NAME in config.report.figures and scene.quantity == "radiance" and scene.ground == "black" and not scene.sun_disc
 
 
 def steps(config: Config) -> list[Step]:

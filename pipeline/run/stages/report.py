@@ -77,7 +77,7 @@ def _material(config: Config, inputs: Inputs) -> Material:
         block, bands = values.reshape(1, 1, -1), config.truth.bands
         job = sampling.Job(config.source, names, block, nodes, bands, mirrored, rule_, tolerance)
         weights = np.asarray(sampling.project_block(job).weights[0, 0])
-        return folded(config, weights, grid["degree"])
+        return folded(config, weights, grid["degree"], values)
 
     return Material(
         name=config.name,

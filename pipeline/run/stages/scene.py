@@ -1,4 +1,4 @@
-"""What a scene wants of the weights, folded in before the fit: ground, irradiance, and the window."""
+"""What a scene wants of the weights, folded in before the fit: sun, ground, irradiance, and the window."""
 
 from __future__ import annotations
 
@@ -7,20 +7,39 @@ from numpy.typing import NDArray
 
 from pipeline import sphere
 from pipeline.config.schema import Config
+from pipeline.light import Preetham, sun
 
 Array = NDArray[np.float64]
 Index = NDArray[np.int64]
 
 
-def folded(config: Config, weights: Array, degrees: Index) -> Array:
-    """Return radiance weights ``(..., channels, count)`` of ``degrees`` as what the scene asks for, ground included."""
+def folded(config: Config, weights: Array, degrees: Index, sets: Array) -> Array:
+    """Return weights ``(..., channels, count)`` of the light at ``sets`` ``(..., axes)`` as what the scene asks for."""
     scene, bands = config.scene, int(degrees.max()) + 1
     mirrored = degrees.size != bands * bands
+    from_below: Array | float = 0.0
+    if isinstance(config.light, Preetham) and scene.sun_disc:
+        theta, tau = (_parameter(config, sets, name) for name in ("sun_zenith", "turbidity"))
+        space, orders = config.light.colour_space, sphere.degrees_orders(bands, mirrored=mirrored)[1]
+        disc = sun.weights(theta, 0.0, tau, bands, space)[..., degrees * (degrees + 1) + orders]
+        below = sun.radiance(theta, tau, space) * sun.from_below(theta)[..., np.newaxis]
+        if scene.channels == "luminance":
+            row = config.light.luminance_row
+            disc, below = np.einsum("...ck,c->...k", disc, row)[..., np.newaxis, :], (below @ row)[..., np.newaxis]
+        weights, from_below = weights + disc, below
     if scene.ground == "mirror":
         weights = sphere.mirror_ground(weights, bands, mirrored=mirrored)
     elif scene.ground != "black":
-        weights = sphere.add_ground(weights, scene.ground, bands, mirrored=mirrored)
+        weights = sphere.add_ground(weights, scene.ground, bands, mirrored=mirrored, from_below=from_below)
     return weights if scene.quantity == "radiance" else weights * sphere.clamped_cosine(bands)[degrees]
+
+
+def _parameter(config: Config, sets: Array, name: str) -> Array:
+    """Return a parameter of the light at ``sets`` ``(..., axes)``: an axis, or fixed."""
+    for i, axis in enumerate(config.axes):
+        if axis.name == name:
+            return np.asarray(sets[..., i])
+    return np.full(sets.shape[:-1], config.scene.fixed[name])
 
 
 def luminance_scale(config: Config) -> float:

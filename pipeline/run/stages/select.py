@@ -166,11 +166,11 @@ def _gather(config: Config, inputs: Inputs) -> _Material:
     reference = reference_of(config, inputs)
     convention = next(iter(reference.l_min))
     radiance = grid["weights"].reshape(-1, *grid["weights"].shape[-2:])
-    weights, scale = folded(config, radiance, grid["degree"]), luminance_scale(config)
+    sets = parameter_sets.grid(nodes)
+    weights, scale = folded(config, radiance, grid["degree"], sets), luminance_scale(config)
     least = grid["least_luminance"].ravel()
     if convention != "per-set":
         least = mean_luminance(radiance[:, :, 0], config.source.luminance_row)
-    sets = parameter_sets.grid(nodes)
     degrees = tuple(axis.degrees[1] for axis in config.axes)
     swept, errors = inputs["fit"]["sweep/degrees"], inputs["fit"]["sweep/e_mean"][0]
     return _Material(frame, sets, weights, scale * least, shape, degrees, reference, swept, errors, partial(window, config))

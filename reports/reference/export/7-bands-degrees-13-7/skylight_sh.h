@@ -16,6 +16,7 @@
  *   without the Condon-Shortley sign, z up, m > 0 cosine, m < 0 sine; the azimuth turns from +x towards +y. Below the
  *   horizon: black. Returns 0; 1 where an input lay outside its range and was clamped; 2 (weights zeroed) where one
  *   was NaN or the azimuth infinite.
+ *   The glow about the sun is in the weights, its disc is not: with a disc of your own, add no halo.
  *   Define SKYLIGHT_SH_EXPOSURE before this file to multiply all weights (1 by default).
  *
  * Accuracy, as shipped: E_mean 0.00226 %, E_max 0.00973 % of the least luminance of the same sky, at azimuth 0.
@@ -23,11 +24,9 @@
  * in the same set; the window below tames it.
  * Memory: 39623 bytes of constants, laid out for speed.
  *
- * With a sun disc of your own: this sky holds the glow about the sun but no disc. Add the disc's weights, and no halo.
- *
  * Provenance
  *   config preetham, table 7-bands-degrees-13-7
- *   selection e3caf555dfd66a10ceb3a061bb7cd94fb300e651e5b7b9fe6fc508e522599e07
+ *   selection 5375fd3e791bad37a0fab2d967dde3a32432c735b6ed12f3fdda9ef8bfd05ca9
  *   python 3.11.7, numpy 2.4.6, scipy 1.17.1, h5py 3.16.0, dask 2026.8.0
  *   x86_64: AVX512_ICL X86_V2 X86_V3 X86_V4
  */

@@ -1,0 +1,43 @@
+"""A clear day in lux: sky, sun and both on the horizontal, beside what was published."""
+
+from __future__ import annotations
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from pipeline.report import style
+from pipeline.report.material import Material
+from pipeline.truth import daylight
+
+CAPTION = (
+    "Illuminance on the horizontal over the sun's height, at the least, a middle and the largest turbidity: the Preetham "
+    "sky, its sun's disc behind the air of the same turbidity, and both. Dotted: IES RP-21 (1984) for a clear day, a "
+    "regression over measurements."
+)
+
+
+def draw(material: Material) -> Figure | None:
+    """Draw three panels; None for a light that is not the Preetham sky."""
+    if material.settings["light"]["model"] != "preetham":
+        return None
+    fixed = material.settings["scene"]["fixed"]
+    low, high = next(
+        ((axis.low, axis.high) for axis in material.axes if axis.name == "turbidity"), (fixed.get("turbidity"),) * 2
+    )
+    theta = np.radians(np.linspace(0.0, 90.0, 46))
+    height = 90.0 - np.degrees(theta)
+    figure = style.figure(12, 4.2)
+    panels = figure.subplots(1, 3, sharex=True, sharey=True)
+    wanted = sorted({low, (low + high) / 2, high})
+    found = {tau: daylight.clear_day(theta, tau) for tau in wanted}
+    published = daylight.published(theta)
+    for panel, title, parts in zip(panels, ("sky", "sun", "sky and sun"), ((0,), (1,), (0, 1)), strict=True):
+        for tau, color, marker in zip(wanted, style.SERIES, style.MARKERS, strict=False):
+            look = {"color": color, "marker": marker, "markevery": 9, "markersize": 5}
+            panel.plot(height, sum(found[tau][i] for i in parts) / 1000, label=f"turbidity {tau:g}", **look)
+        panel.plot(height, sum(published[i] for i in parts) / 1000, color=style.BLACK, linestyle=":", label="IES RP-21")
+        panel.set_title(title, fontsize=10)
+        panel.set_xlabel("sun's height (degrees)")
+    panels[0].set_ylabel("illuminance (klx)")
+    panels[0].legend(fontsize=8)
+    return figure

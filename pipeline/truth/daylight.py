@@ -1,0 +1,37 @@
+"""A clear day in lux: what the Preetham sky and its sun send onto the horizontal, and what was published for clear days."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from pipeline.light import Preetham, sun
+from pipeline.light.protocol import Light
+from pipeline.truth.fixed import zenith_gauss
+
+Array = NDArray[np.float64]
+
+_NODES = 96
+
+
+def sky(light: Light, theta: float, tau: float) -> float:
+    """Return the illuminance in lux on the horizontal, to 1e-4 of itself, of a light of ``sun_zenith`` and ``turbidity``."""
+    directions, solid = zenith_gauss(_NODES)
+    radiance = light.radiance(directions, {"sun_zenith": np.array([theta]), "turbidity": np.array([tau])})
+    return float((radiance @ light.luminance_row) @ (directions[:, 2] * solid))
+
+
+def clear_day(theta: ArrayLike, tau: float) -> tuple[Array, Array]:
+    """Return the illuminance in lux of the Preetham sky and of its sun's disc, ``(n,)`` each, for sun zeniths ``(n,)``."""
+    zeniths = np.asarray(theta, dtype=np.float64)
+    disc = sun.normal_illuminance(zeniths, np.full(zeniths.shape, tau)) * np.cos(zeniths)
+    return np.array([sky(Preetham(), float(t), tau) for t in zeniths]), disc
+
+
+def published(theta: ArrayLike) -> tuple[Array, Array]:
+    """Return the same of IES RP-21 (1984) for a clear day: 800 + 15500 sqrt(cos theta), and 127500 exp(-0.21 m) cos theta.
+
+    A regression over measurements in the United States, m being the air's relative optical mass.
+    """
+    height = np.cos(np.asarray(theta, dtype=np.float64))
+    return 800.0 + 15_500.0 * np.sqrt(height), 127_500.0 * np.exp(-0.21 * sun.optical_mass(theta)) * height
