@@ -104,7 +104,7 @@ def evaluate(
     type=click.Choice(["skip", "zero"]),
     default="skip",
     show_default=True,
-    help="Leave out the times with the sun below the horizon, or write zeros.",
+    help="Leave out the times with the sun below the horizon (12 degrees for a table with twilight), or write zeros.",
 )
 @_AT
 @_TURBIDITY
@@ -159,7 +159,8 @@ def export(
         raise BadInputError(str(error)) from error
     if made.nights:
         fate = "left out" if night == "skip" else "written as zeros"
-        click.echo(f"{made.nights} times with the sun below the horizon are {fate}.")
+        depth = "12 degrees below" if loaded.table.twilight else "below"
+        click.echo(f"{made.nights} times with the sun {depth} the horizon are {fate}.")
     click.echo(f"{len(made.times)} skies  {output}")
 
 
@@ -171,7 +172,7 @@ def show_weights(weights: NDArray[np.floating], channels: tuple[str, ...], *, as
         click.echo(json.dumps({channel: weights[i].tolist() for i, channel in enumerate(channels)}))
         return
     click.echo(f"{'l':>3}{'m':>4}" + "".join(f"{channel:>16}" for channel in channels))
-    degrees, orders = sphere.degrees_orders(round(weights.shape[-1] ** 0.5))
+    degrees, orders = sphere.degrees_orders(sphere.bands_of(weights))
     for k, (l, m) in enumerate(zip(degrees.tolist(), orders.tolist(), strict=True)):
         click.echo(f"{l:>3}{m:>4}" + "".join(f"{weights[i, k]:>16.8g}" for i in range(len(channels))))
 
@@ -212,7 +213,8 @@ def _inputs(loaded: Runtime, given: tuple[str, ...], short: dict[str, float | No
 
 
 def _ranges(loaded: Runtime) -> str:
-    return ", ".join(f"{a.name} [{a.low:.6g}, {a.high:.6g}]" for a in loaded.table.axes)
+    table = loaded.table
+    return ", ".join(f"{a.name} [{low:.6g}, {high:.6g}]" for a, (low, high) in zip(table.axes, table.ranges, strict=True))
 
 
 def _warn(text: str) -> None:

@@ -12,6 +12,8 @@ from pipeline import sphere
 from pipeline.export import npz
 from pipeline.table.table import Table, full_weights
 
+Array = NDArray[np.float64]
+
 OK, CLAMPED, INVALID = 0, 1, 2
 
 
@@ -47,7 +49,7 @@ class Runtime:
     def status(self, *values: ArrayLike, **named: ArrayLike) -> NDArray[np.int64]:
         """Return, for each set of inputs, what the C header returns: 0, 1 where clamped, 2 where invalid."""
         columns = self._columns(values, named)
-        return self._check(columns.reshape(-1, columns.shape[-1]))[2].reshape(columns.shape[:-1])
+        return self._check(columns.reshape(-1, columns.shape[-1]))[3].reshape(columns.shape[:-1])
 
     def weights_and_status(
         self, *values: ArrayLike, bands: int | None = None, window: bool = False, **named: ArrayLike
@@ -59,8 +61,10 @@ class Runtime:
             raise ValueError(f"Invalid bands {bands}. Should be 1 to {table.bands}, the bands of this table.")
         inputs = self._columns(values, named)
         shape = inputs.shape[:-1]
-        clamped, azimuth, status = self._check(inputs.reshape(-1, inputs.shape[-1]))
+        clamped, fade, azimuth, status = self._check(inputs.reshape(-1, inputs.shape[-1]))
         full = full_weights(table, table.evaluate(clamped), bands)
+        if table.twilight:
+            full = full * fade.astype(full.dtype)[:, np.newaxis, np.newaxis]
         out = sphere.rotate_azimuth(full, azimuth[:, np.newaxis])
         if window and table.windowed:
             raise ValueError("The window is in the weights of this table already. Leave window=False.")
@@ -73,20 +77,21 @@ class Runtime:
         out[status == INVALID] = 0.0
         return out.reshape(*shape, len(table.channels), bands * bands), status.reshape(shape)
 
-    def _columns(self, values: tuple[ArrayLike, ...], named: dict[str, ArrayLike]) -> NDArray[np.float64]:
+    def _columns(self, values: tuple[ArrayLike, ...], named: dict[str, ArrayLike]) -> Array:
         """Broadcast the inputs against each other, in order along the last axis."""
         inputs = np.broadcast_arrays(*(np.asarray(v, dtype=np.float64) for v in self._bind(values, named)))
         return np.stack(inputs, axis=-1)
 
-    def _check(self, columns: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.int64]]:
-        """Return axis values inside their ranges ``(n, axes)``, azimuths ``(n,)`` and status ``(n,)``."""
+    def _check(self, columns: Array) -> tuple[Array, Array, Array, NDArray[np.int64]]:
+        """Return axis values inside their ranges ``(n, axes)``, twilight's factors, azimuths and status ``(n,)``."""
         place = 1 if self.table.azimuth is None else None
         azimuth = np.full(len(columns), self.table.azimuth) if place is None else columns[:, place]
         invalid = np.isnan(columns).any(axis=1) | np.isinf(azimuth.astype(np.float64))
         columns = np.where(invalid[:, np.newaxis], 0.0, columns)
         azimuth = np.where(invalid, 0.0, azimuth)
-        clamped, outside = self.table.clamp(columns if place is None else np.delete(columns, place, axis=1))
-        return clamped, azimuth, np.where(invalid, INVALID, np.where(outside, CLAMPED, OK))
+        values = columns if place is None else np.delete(columns, place, axis=1)
+        clamped, outside = self.table.clamp(values)
+        return clamped, self.table.fade(values), azimuth, np.where(invalid, INVALID, np.where(outside, CLAMPED, OK))
 
     def _bind(self, values: tuple[ArrayLike, ...], named: dict[str, ArrayLike]) -> list[ArrayLike]:
         names = self.inputs

@@ -18,6 +18,7 @@ from pipeline.export import npz, shaders
 from pipeline.export.shader_dialects import DIALECTS, GLSL, WGSL, expression
 from pipeline.fit.axes import Axis
 from pipeline.run.runner import Result
+from pipeline.stability.flavours import flavours
 from pipeline.table.factor import Reciprocal
 from pipeline.table.table import Frame, Table, fast
 
@@ -51,7 +52,8 @@ def made(axes: int, channels: int, bands: int, mirrored: bool, basis: str, over:
 
 
 def tables() -> dict[str, Table]:
-    return {"preetham": npz.read(REFERENCE)} | {name: made(*given) for name, given in MADE.items()}
+    known = {"preetham": npz.read(REFERENCE), "twilight": flavours()["twilight"]}
+    return known | {name: made(*given) for name, given in MADE.items()}
 
 
 def drawn(table: Table) -> Floats:
@@ -91,7 +93,7 @@ def images(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Floats]:
 
 @pytest.mark.tools
 @pytest.mark.parametrize("language", DIALECTS)
-@pytest.mark.parametrize("name", ["preetham", *MADE])
+@pytest.mark.parametrize("name", ["preetham", "twilight", *MADE])
 def test_shaders_agree_with_the_runtime(images: dict[str, Floats], name: str, language: str) -> None:
     table = tables()[name]
     image = images[f"{name}.{language}"].astype(np.float64)

@@ -172,6 +172,11 @@ class SceneSection(_Section):
         description="whether the sun's disc shines beside the Preetham sky, dimmed by the air of the same turbidity, and "
         "lights the ground",
     )
+    twilight: bool = Field(
+        False,
+        description="whether a sun below the horizon fades the light of a sun on it out, down to 12 degrees; else the "
+        "sun's zenith angle is clamped",
+    )
     window: bool = Field(False, description="fold the zonal window of eq. 5 into the weights")
     fixed: dict[str, float] = Field({}, description="parameters that never change, e.g. { turbidity = 3.0 }")
     azimuth: float | None = Field(None, description="the sun's azimuth in radians, if it never changes")

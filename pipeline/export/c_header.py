@@ -16,6 +16,7 @@ from pipeline.fit.bases import BASES
 from pipeline.fit.maps import MAPS
 from pipeline.light import PREFACTORS
 from pipeline.sphere import lower_hemisphere
+from pipeline.table import twilight
 from pipeline.table.factor import ClosedForm, Reciprocal
 from pipeline.table.packed import Packed
 from pipeline.table.rows import Rows
@@ -67,12 +68,12 @@ def write(table: Table, facts: Facts, prefix: str = "skylight_sh") -> str:
         version=__version__,
         title=_comment(facts.title),
         example=", ".join(middle.get(name, "0.0f") for name in inputs),
-        inputs=[f"{a.name}: [{a.low:.9g}, {a.high:.9g}] {'' if a.unit == '1' else a.unit}".rstrip() for a in table.axes]
-        + [f"{name}: any finite angle, rad" for name in azimuth],
+        inputs=input_lines(table) + [f"{name}: any finite angle, rad" for name in azimuth],
         channels=table.channels,
         quantity=quantity,
         unit=unit,
         notes=notes,
+        twilight=_twilight(table, number),
         fixed_azimuth=table.azimuth is not None,
         windowed=table.windowed,
         ground=_below(table),
@@ -95,8 +96,8 @@ def write(table: Table, facts: Facts, prefix: str = "skylight_sh") -> str:
         xs=", ".join(f"x[{i}]" for i in range(len(names))),
         rest=table.rest,
         mirrored=table.mirrored,
-        # Derivatives of other bases are not written.
-        gradient=table.basis == "chebyshev",
+        # Derivatives of other bases are not written, nor those of twilight.
+        gradient=table.basis == "chebyshev" and not table.twilight,
         factor=_factor(table, number),
         luminance=[_single(v) for v in facts.luminance or [1.0] * len(table.channels)],
         azimuth=f"({prefix}_real){turned if table.azimuth is not None else 'sun_azimuth'}",
@@ -106,6 +107,27 @@ def write(table: Table, facts: Facts, prefix: str = "skylight_sh") -> str:
         arrays=", ".join(f"const float *{name}" for name in inputs),
         elements=", ".join(f"{name}[s]" for name in inputs),
     )
+
+
+def input_lines(table: Table) -> list[str]:
+    """Return the axes with their ranges and units, a line each."""
+    units = ["" if axis.unit == "1" else axis.unit for axis in table.axes]
+    return [
+        f"{axis.name}: [{low:.9g}, {high:.9g}] {unit}".rstrip()
+        for axis, (low, high), unit in zip(table.axes, table.ranges, units, strict=True)
+    ]
+
+
+def _twilight(table: Table, number: Number) -> dict[str, str] | None:
+    """Return the numbers of the fade; the horizon in two parts, since float32 pi / 2 exceeds pi / 2."""
+    if not table.twilight:
+        return None
+    rest = 0.0 if table.dtype == np.float64 else twilight.BEGIN - float(np.float32(twilight.BEGIN))
+    return {
+        "begin": number(twilight.BEGIN),
+        "rest": number(rest),
+        "each": number(1.0 / twilight.DEPTH),
+    }
 
 
 def _below(table: Table) -> str:
@@ -140,6 +162,8 @@ def _about(table: Table) -> tuple[str, str, list[str]]:
         notes.append("The sun's disc, 0.2665 degrees in radius and dimmed by the air, is in the weights.")
     elif "sun_zenith" in [axis.name for axis in table.axes]:
         notes.append("The glow about the sun is in the weights, its disc is not: with a disc of your own, add no halo.")
+    if table.twilight:
+        notes.append("Below the horizon the light of a sun on it fades: (1 - x)^10 (1 + 10 x), x = depth / 12 degrees.")
     if table.azimuth is not None:
         notes.append(f"The sun's azimuth is {table.azimuth:.9g} rad for good.")
     if isinstance(table.factor, ClosedForm):
@@ -149,7 +173,8 @@ def _about(table: Table) -> tuple[str, str, list[str]]:
 
 def _axes(table: Table, prefix: str, suffix: str, number: Number) -> list[dict[str, object]]:
     found: list[dict[str, object]] = []
-    for axis, degree, (first, last) in zip(table.axes, table.degrees, table.float32_limits(), strict=True):
+    limits = zip(table.ranges, table.float32_limits(), strict=True)
+    for axis, degree, ((least, most), (first, last)) in zip(table.axes, table.degrees, limits, strict=True):
         expression = MAPS[axis.map].c_expression
         found.append(
             {
@@ -166,6 +191,8 @@ def _axes(table: Table, prefix: str, suffix: str, number: Number) -> list[dict[s
                 "fill": _fill(table.basis, prefix, suffix),
                 "low": number(axis.low),
                 "high": number(axis.high),
+                "least": number(least),
+                "most": number(most),
                 "wide_low": _double(axis.low),
                 "wide_high": _double(axis.high),
                 "first": _single(first),

@@ -5,7 +5,6 @@ from __future__ import annotations
 import csv
 import io
 import json
-import math
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from datetime import date
@@ -18,6 +17,7 @@ from numpy.typing import NDArray
 from pipeline.export import engines, sun
 from pipeline.runtime import CLAMPED, INVALID, Runtime
 from pipeline.store import atomic
+from pipeline.table import twilight
 
 Array = NDArray[np.float64]
 Night = Literal["skip", "zero"]
@@ -27,8 +27,8 @@ Night = Literal["skip", "zero"]
 class Request:
     """What to tabulate: when, where, the table's inputs beside the sun, and the engine's form.
 
-    ``step`` is minutes. ``night`` says what becomes of moments whose sun stands below the horizon, of which the tables
-    know nothing: left out, or all numbers zero.
+    ``step`` is minutes. ``night`` says what becomes of moments whose sun stands below the horizon, or 12 degrees below it
+    for a table with twilight, of which the tables know nothing: left out, or all numbers zero.
     """
 
     format: str
@@ -48,7 +48,7 @@ class Request:
 class Day:
     """A day's skies: local times, the sun's zenith angles and azimuths ``(n,)``, and numbers ``(n, 3, N*N)``.
 
-    ``nights`` counts the moments with the sun below the horizon, ``clamped`` those outside the table's ranges.
+    ``nights`` counts the moments of ``night``, ``clamped`` those outside the table's ranges.
     """
 
     request: Request
@@ -71,15 +71,16 @@ def tabulate(table: Runtime, request: Request) -> Day:
         (moment.isoformat(), *sun.position(request.place, moment))
         for moment in sun.moments(request.date, request.timezone, request.step)
     ]
-    up = [zenith <= math.pi / 2 for _, zenith, _ in places]
+    night = twilight.END if table.table.twilight else twilight.BEGIN
+    up = [zenith <= night for _, zenith, _ in places]
     kept = [place for place, shines in zip(places, up, strict=True) if shines or request.night == "zero"]
     zeniths, azimuths = [zenith for _, zenith, _ in kept], [azimuth for _, _, azimuth in kept]
-    # A night's sun is clamped to the horizon, and its light then dropped.
-    inputs = {"sun_zenith": np.minimum(zeniths, math.pi / 2), "sun_azimuth": np.array(azimuths), **request.others}
+    # A night's sun is clamped, and its light then dropped.
+    inputs = {"sun_zenith": np.minimum(zeniths, night), "sun_azimuth": np.array(azimuths), **request.others}
     weights, status = table.weights_and_status(bands=bands, window=request.window, **inputs)
     if np.any(status == INVALID):
         raise ValueError(f"Invalid inputs {dict(request.others)}. Should be finite numbers.")
-    shines = np.array(zeniths) <= math.pi / 2
+    shines = np.array(zeniths) <= night
     numbers = engines.convert(weights, profile, axes=request.axes, exposure=request.exposure)
     return Day(
         request,

@@ -46,6 +46,7 @@ def write(table: Table) -> bytes:
         "azimuth": table.azimuth,
         "ground": table.ground,
         "sun_disc": table.sun_disc,
+        "twilight": table.twilight,
         "provenance": table.provenance,
     }
     arrays["denominator"] = table.factor.coefficients if isinstance(table.factor, Reciprocal) else _NONE
@@ -119,4 +120,5 @@ def _table(header: dict[str, Any], archive: Mapping[str, NDArray[Any]]) -> Table
         azimuth=header["azimuth"],
         ground=header["ground"],
         sun_disc=header["sun_disc"],
+        twilight=header["twilight"],
     )

@@ -11,10 +11,11 @@ from itertools import product
 import numpy as np
 
 from pipeline import __version__, sphere
-from pipeline.export.c_header import PREFIX, Facts, template
+from pipeline.export.c_header import PREFIX, Facts, input_lines, template
 from pipeline.export.shader_dialects import DIALECTS, Dialect, check_prefix, expression, number
 from pipeline.fit.maps import MAPS
 from pipeline.light import PREFACTORS
+from pipeline.table import twilight
 from pipeline.table.factor import ClosedForm, Reciprocal
 from pipeline.table.rows import Rows
 from pipeline.table.table import SLACK, Table
@@ -65,7 +66,6 @@ def write(table: Table, facts: Facts, language: str, prefix: str = "skylight_sh"
     names = [axis.name for axis in table.axes]
     inputs = [names[0], "sun_azimuth", *names[1:]]
     colour = "real" if len(table.channels) == 1 else f"vec{len(table.channels)}"
-    ranges = [f"{a.name}: [{a.low:.9g}, {a.high:.9g}] {'' if a.unit == '1' else a.unit}".rstrip() for a in table.axes]
     fours = table.body.rows.reshape(-1, 4)
     return template("skylight_sh.shader.j2").render(
         d=dialect,
@@ -73,7 +73,7 @@ def write(table: Table, facts: Facts, language: str, prefix: str = "skylight_sh"
         P=prefix.upper(),
         version=__version__,
         title=_comment(facts.title),
-        inputs=[*ranges, "sun_azimuth: any angle, rad; best within a few thousand turns of 0"],
+        inputs=[*input_lines(table), "sun_azimuth: any angle, rad; best within a few thousand turns of 0"],
         layout=_comment(f"{dialect.types[colour]} of the channels {', '.join(table.channels)}"),
         e_mean=facts.e_mean,
         e_max=facts.e_max,
@@ -152,8 +152,8 @@ def _step(l: int, m: int, start: float) -> str:
 def _axes(table: Table, prefix: str) -> list[dict[str, object]]:
     low = table.factor.coefficients.shape if isinstance(table.factor, Reciprocal) else (1,) * len(table.axes)
     found: list[dict[str, object]] = []
-    for a, (axis, degree, least) in enumerate(zip(table.axes, table.degrees, low, strict=True)):
-        slack = SLACK * max(axis.high - axis.low, 1.0)
+    for a, (axis, degree, least, ends) in enumerate(zip(table.axes, table.degrees, low, table.ranges, strict=True)):
+        slack = SLACK * max(ends[1] - ends[0], 1.0)
         # A root's distance to its point may round below 0, where pow knows no number.
         text = MAPS[axis.map].c_expression.replace("CBRT(k[0] - v)", "pow(max(k[0] - v, 0), 0.333333343)")
         terms = [_TERMS[table.basis](a, k).format(prefix=prefix) for k in range(1, max(degree + 1, least))]
@@ -163,8 +163,8 @@ def _axes(table: Table, prefix: str) -> list[dict[str, object]]:
                 "map": axis.map,
                 "low": number(axis.low),
                 "high": number(axis.high),
-                "least": number(axis.low - slack),
-                "most": number(axis.high + slack),
+                "least": number(ends[0] - slack),
+                "most": number(ends[1] + slack),
                 "expression": expression(re.sub(r"\bv\b", f"x{a}", text.replace("LOG", "log")), axis.constants),
                 "terms": terms,
             }
@@ -185,20 +185,30 @@ def _prefactor(table: Table, dialect: Dialect) -> dict[str, object] | None:
 
 
 def _scale(table: Table, dialect: Dialect, prefix: str) -> list[str]:
-    """Return the lines that declare ``scale``, the factor of all weights, where there is one."""
+    """Return the lines that declare ``scale``, what all weights are multiplied with, where there is such."""
+    lines, factors = [], []
+    if table.twilight:
+        rest = number(twilight.BEGIN - float(np.float32(twilight.BEGIN)))
+        depth = f"((sun_zenith - {number(twilight.BEGIN)}) - {rest}) * {number(1.0 / twilight.DEPTH)}"
+        lines += [
+            "// Twilight: the share of the horizon's light that a sun below it leaves.",
+            dialect.fixed("real", "depth", f"clamp({depth}, 0.0, 1.0)"),
+            dialect.fixed("real", "fade2", "(1.0 - depth) * (1.0 - depth)"),
+            dialect.fixed("real", "fade4", "fade2 * fade2"),
+        ]
+        factors.append(f"fade4 * fade4 * fade2 * (1.0 + {number(twilight.POWER)} * depth)")
     if isinstance(table.factor, Reciprocal):
         numbers = table.factor.coefficients
         terms = [_times(number(float(numbers[at])), at) for at in product(*(range(size) for size in numbers.shape))]
-        return _wrapped(dialect.fixed("real", "scale", f"1.0 / ({' + '.join(terms).replace('+ -', '- ')})"))
-    if not table.factor:
-        return []
-    inputs = ", ".join(f"x{a}" for a in range(len(table.axes)))
-    return [dialect.fixed("real", "scale", f"{prefix}_prefactor({inputs})")]
+        factors.append(f"1.0 / ({' + '.join(terms).replace('+ -', '- ')})")
+    elif table.factor:
+        factors.append(f"{prefix}_prefactor({', '.join(f'x{a}' for a in range(len(table.axes)))})")
+    return lines + (_wrapped(dialect.fixed("real", "scale", " * ".join(factors))) if factors else [])
 
 
 def _rest(table: Table) -> list[str]:
     """Return the products of the other axes' powers, times the scale, in the order of ``Rows``."""
-    scale = "scale" if table.factor else "1.0"
+    scale = "scale" if table.factor or table.twilight else "1.0"
     return [_times(scale, (0, *at)) for at in product(*(range(degree + 1) for degree in table.degrees[1:]))]
 
 

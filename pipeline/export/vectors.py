@@ -86,7 +86,7 @@ def _middle(table: Table) -> list[float]:
 
 def _edges(table: Table) -> Singles:
     """All corners; every axis at, one float below and above its ends and the ends of its slack; the azimuth's own."""
-    rows = [_row(0.7, *corner) for corner in product(*((a.low, a.high) for a in table.axes))]
+    rows = [_row(0.7, *corner) for corner in product(*table.ranges)]
     for i, axis in enumerate(table.axes):
         for end in (axis.low, axis.high, *table.float32_limits()[i]):
             at = np.float32(end)
@@ -115,8 +115,8 @@ def _inside(table: Table) -> Singles:
     rng = np.random.default_rng(_SEED)
     beyond = np.where(np.arange(_RANDOM) % 8 == 7, 1.0, 0.0)
     columns = []
-    for axis in table.axes:
-        width = axis.high - axis.low
-        columns.append(rng.uniform(axis.low - beyond * width, axis.high + beyond * width, _RANDOM))
+    for low, high in table.ranges:
+        width = high - low
+        columns.append(rng.uniform(low - beyond * width, high + beyond * width, _RANDOM))
     columns.insert(1, rng.uniform(-7.0, 7.0, _RANDOM))
     return np.stack(columns, axis=-1).astype(np.float32)

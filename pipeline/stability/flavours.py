@@ -32,6 +32,8 @@ def flavours() -> dict[str, Table]:
         "float64": _rows(rng, Frame(two, _RGB, True, "chebyshev", found), (6, 4), 4, "float64"),
         "one-axis": _rows(rng, Frame((_HOUR,), ("luminance",), True, "legendre", None), (6,), 5, "float32"),
         "unmirrored": _rows(rng, Frame(three, _RGB[:2], False, "monomial", None), (5, 3, 1), 5, "float32"),
+        "twilight": _rows(rng, Frame(two, ("luminance",), True, "chebyshev", closed, twilight=True), (5, 2), 3, "float32"),
+        "twilight-packed": _packed(rng, Frame(two, _RGB, True, "chebyshev", None, twilight=True), (5, 2), 3),
         "unmirrored-packed": _packed(rng, Frame((_TURBIDITY,), _RGB, False, "fourier", None), (4,), 3),
     }
 

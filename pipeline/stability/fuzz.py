@@ -51,10 +51,10 @@ def source(table: Table) -> str:
         {
             "first": _end(table, i, -1),
             "last": _end(table, i, 1),
-            "low": f"{np.float32(axis.low):.9e}f",
-            "high": f"{np.float32(axis.high):.9e}f",
+            "low": f"{np.float32(low):.9e}f",
+            "high": f"{np.float32(high):.9e}f",
         }
-        for i, axis in enumerate(table.axes)
+        for i, (low, high) in enumerate(table.ranges)
     ]
     azimuth = {"first": 1 - _INFINITE, "last": _INFINITE - 1, "low": "-1e1f", "high": "1e1f"}
     return c_header.template("fuzz.c.j2").render(

@@ -13,7 +13,7 @@ from pipeline import sphere
 from pipeline.fit.axes import Axis
 from pipeline.fit.bases import BASES
 from pipeline.table import factor as factors
-from pipeline.table import packed, rows
+from pipeline.table import packed, rows, twilight
 from pipeline.table.factor import Factor
 from pipeline.table.layout import Layout, layout
 from pipeline.table.packed import Packed
@@ -35,7 +35,8 @@ class Table:
     (``Packed``). Weights are those of order m >= 0 where ``mirrored``, else all N*N. ``factor`` multiplies the polynomials.
     ``provenance`` is JSON-like and says where the table comes from. ``quantity`` is radiance or irradiance; ``windowed``
     says that the window of eq. 5 is in the weights; ``azimuth`` is the sun's where it is no input (radians);
-    ``ground`` says what is below the horizon, ``sun_disc`` whether the sun's disc is in the weights.
+    ``ground`` says what is below the horizon, ``sun_disc`` whether the sun's disc is in the weights, ``twilight`` whether a
+    ``sun_zenith`` beyond the horizon fades them out.
     """
 
     axes: tuple[Axis, ...]
@@ -52,6 +53,7 @@ class Table:
     azimuth: float | None = None
     ground: str = "black"
     sun_disc: bool = False
+    twilight: bool = False
 
     @property
     def dtype(self) -> np.dtype[np.floating]:
@@ -88,6 +90,7 @@ class Table:
     def bytes_at(self, bands: int) -> int:
         """Size of what the first ``bands`` bands alone read: a table of fewer bands is a prefix of this one."""
         numbers = sum(2 + len(axis.constants) for axis in self.axes) + (self.factor.numbers if self.factor else 0)
+        numbers += twilight.NUMBERS if self.twilight else 0
         body = self.body
         if isinstance(body, Packed):
             part = body if bands == self.bands else packed.pack(packed.unpack(body, bands), self._degrees(bands), body.step)
@@ -128,6 +131,19 @@ class Table:
             out[start : start + _SETS_AT_ONCE] = (product @ matrix).reshape(len(part), *out.shape[1:])
         return out
 
+    @property
+    def ranges(self) -> list[tuple[float, float]]:
+        """Least and largest value of each input: its axis's range, which twilight extends."""
+        return [(axis.low, twilight.END if self._sinks(axis) else axis.high) for axis in self.axes]
+
+    def fade(self, values: Array) -> Array:
+        """Return what twilight multiplies weights at clamped inputs ``(n, axes)`` with, ``(n,)``: ones without one."""
+        sinking = [i for i, axis in enumerate(self.axes) if self._sinks(axis)]
+        return np.asarray(twilight.fade(values[:, sinking[0]]) if sinking else np.ones(len(values)))
+
+    def _sinks(self, axis: Axis) -> bool:
+        return self.twilight and axis.name == "sun_zenith"
+
     def clamp(self, values: Array) -> tuple[Array, NDArray[np.bool_]]:
         """Clamp ``(n, axes)`` to the ranges; the second result marks sets with a value beyond the slack."""
         first, last = self._limits
@@ -149,9 +165,8 @@ class Table:
 
     @property
     def _limits(self) -> tuple[Array, Array]:
-        """Least and largest value of each axis that counts as inside."""
-        low = np.array([axis.low for axis in self.axes])
-        high = np.array([axis.high for axis in self.axes])
+        """Least and largest value of each input that counts as inside."""
+        low, high = np.transpose(self.ranges)
         slack = SLACK * np.maximum(high - low, 1.0)
         return low - slack, high + slack
 
@@ -179,6 +194,7 @@ class Frame:
     azimuth: float | None = None
     ground: str = "black"
     sun_disc: bool = False
+    twilight: bool = False
 
     def table(self, bands: int, degrees: tuple[int, ...], body: Rows | Packed) -> Table:
         """Return a table of this frame."""
@@ -196,6 +212,7 @@ class Frame:
             azimuth=self.azimuth,
             ground=self.ground,
             sun_disc=self.sun_disc,
+            twilight=self.twilight,
         )
 
 

@@ -28,6 +28,17 @@ def clear_day(theta: ArrayLike, tau: float) -> tuple[Array, Array]:
     return np.array([sky(Preetham(), float(t), tau) for t in zeniths]), disc
 
 
+def twilight(depth: ArrayLike) -> Array:
+    """Return the illuminance in lux on the horizontal with the sun ``depth`` radians (0 to 12 degrees) below the horizon.
+
+    A fit to measurements without moonlight: Explanatory Supplement to the Astronomical Almanac (Seidelmann 1992), eq. 9.35.
+    """
+    x = -np.degrees(np.asarray(depth, dtype=np.float64)) / 90.0
+    early = ((-858.36 * x - 258.11) * x + 21.81) * x + 2.88
+    late = ((-1899.83 * x - 431.69) * x + 12.17) * x + 2.70
+    return np.asarray(10.0 ** np.where(x > -5.0 / 90.0, early, late))
+
+
 def published(theta: ArrayLike) -> tuple[Array, Array]:
     """Return the same of IES RP-21 (1984) for a clear day: 800 + 15500 sqrt(cos theta), and 127500 exp(-0.21 m) cos theta.
 

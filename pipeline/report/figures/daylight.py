@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from pipeline.report import style
 from pipeline.report.material import Material
+from pipeline.table import twilight
 from pipeline.truth import daylight
 
 CAPTION = (
     "Illuminance on the horizontal over the sun's height, at the least, a middle and the largest turbidity: the Preetham "
     "sky, its sun's disc behind the air of the same turbidity, and both. Dotted: IES RP-21 (1984) for a clear day, a "
-    "regression over measurements."
+    "regression over measurements. With twilight: how the horizon's light fades, beside the measured illuminance over that "
+    "at sunset (Seidelmann 1992)."
 )
 
 
@@ -26,12 +29,13 @@ def draw(material: Material) -> Figure | None:
     )
     theta = np.radians(np.linspace(0.0, 90.0, 46))
     height = 90.0 - np.degrees(theta)
-    figure = style.figure(12, 4.2)
-    panels = figure.subplots(1, 3, sharex=True, sharey=True)
+    sinks = material.best.table.twilight
+    figure = style.figure(16 if sinks else 12, 4.2)
+    panels = figure.subplots(1, 4 if sinks else 3)
     wanted = sorted({low, (low + high) / 2, high})
     found = {tau: daylight.clear_day(theta, tau) for tau in wanted}
     published = daylight.published(theta)
-    for panel, title, parts in zip(panels, ("sky", "sun", "sky and sun"), ((0,), (1,), (0, 1)), strict=True):
+    for panel, title, parts in zip(panels, ("sky", "sun", "sky and sun"), ((0,), (1,), (0, 1)), strict=False):
         for tau, color, marker in zip(wanted, style.SERIES, style.MARKERS, strict=False):
             look = {"color": color, "marker": marker, "markevery": 9, "markersize": 5}
             panel.plot(height, sum(found[tau][i] for i in parts) / 1000, label=f"turbidity {tau:g}", **look)
@@ -40,4 +44,21 @@ def draw(material: Material) -> Figure | None:
         panel.set_xlabel("sun's height (degrees)")
     panels[0].set_ylabel("illuminance (klx)")
     panels[0].legend(fontsize=8)
+    top = max(panel.get_ylim()[1] for panel in panels[:3])
+    for panel in panels[:3]:
+        panel.set_ylim(0.0, top)
+    if sinks:
+        _fade(panels[3])
     return figure
+
+
+def _fade(panel: Axes) -> None:
+    depth = np.radians(np.linspace(0.0, 12.0, 121))
+    panel.semilogy(np.degrees(depth), twilight.fade(twilight.BEGIN + depth), color=style.BLUE, label="the fade")
+    measured = daylight.twilight(depth)
+    panel.semilogy(np.degrees(depth), measured / measured[0], color=style.BLACK, linestyle=":", label="measured")
+    panel.set_ylim(1e-6, 2.0)
+    panel.set_title("twilight", fontsize=10)
+    panel.set_xlabel("sun's depth (degrees)")
+    panel.set_ylabel("share of the light on the horizon")
+    panel.legend(fontsize=8)

@@ -34,4 +34,5 @@ def frame_of(config: Config, inputs: Inputs, *, mirrored: bool) -> Frame:
         scene.azimuth,
         scene.ground if isinstance(scene.ground, str) else f"albedo {', '.join(f'{a:g}' for a in scene.ground)}",
         scene.sun_disc,
+        scene.twilight,
     )

@@ -26,7 +26,7 @@
  *
  * Provenance
  *   config preetham, table 7-bands-0.1pct-packed
- *   selection 5375fd3e791bad37a0fab2d967dde3a32432c735b6ed12f3fdda9ef8bfd05ca9
+ *   selection 2974619244cbba8abc4a56864e9273be0d129f07c39574e8ac9115f9c9a76697
  *   python 3.11.7, numpy 2.4.6, scipy 1.17.1, h5py 3.16.0, dask 2026.8.0
  *   x86_64: AVX512_ICL X86_V2 X86_V3 X86_V4
  */

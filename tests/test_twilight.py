@@ -1,0 +1,86 @@
+"""Twilight: a stated fade below the horizon, the same in every target (flavours and shaders are held elsewhere)."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+import tomllib
+from pathlib import Path
+
+import numpy as np
+import pytest
+from conftest import ROOT, SMALL, run_quietly
+from test_cli import invoke
+
+from pipeline import runtime
+from pipeline.config import ConfigError, parse
+from pipeline.export import npz
+from pipeline.table import twilight
+from pipeline.truth import daylight
+
+TEXT = SMALL.read_text(encoding="utf-8")
+HORIZON = np.pi / 2
+
+
+def test_the_fade_is_smooth_and_ends() -> None:
+    depth = np.radians(np.linspace(-5.0, 20.0, 2001))
+    factor = twilight.fade(HORIZON + depth)
+    assert np.all(factor[depth <= 0] == 1.0)
+    assert np.all(factor[depth >= np.radians(12.0)] == 0.0)
+    falling = factor[(depth > 0) & (depth < np.radians(12.0))]
+    assert np.all(np.diff(falling) < 0)
+    # Once continuously differentiable everywhere: second differences stay bounded as the step halves.
+    steepest = [np.abs(np.diff(twilight.fade(np.linspace(1.5, 1.9, n)), 2)).max() * (n - 1) ** 2 for n in (1001, 4001)]
+    assert steepest[1] == pytest.approx(steepest[0], rel=0.05)
+
+
+def test_the_fade_is_as_dark_as_measured() -> None:
+    """What is measured falls to 3.4 lx at the end of civil twilight and to 0.008 lx at that of nautical twilight."""
+    sunset, civil, nautical = daylight.twilight(np.radians([0.0, 6.0, 12.0]))
+    assert (sunset, civil, nautical) == (pytest.approx(759, 0.01), pytest.approx(3.4, 0.02), pytest.approx(0.008, 0.05))
+    assert twilight.fade(HORIZON + np.radians(6.0)) == pytest.approx(civil / sunset, rel=0.35)
+
+
+def test_a_table_fades_its_horizon(tmp_path: Path) -> None:
+    config = parse(tomllib.loads(TEXT + "\n[scene]\ntwilight = true\n"), "a config")
+    result = run_quietly(config, tmp_path)
+    sky = runtime.load(result.folder / "export" / "skylight_sh.npz")
+    x = np.linspace(0.0, 1.0, 40)[1:-1]
+    sinking = HORIZON + np.radians(12.0) * x
+    got, status = sky.weights_and_status(sinking, 0.4, 3.0)
+    expected = sky.weights(HORIZON, 0.4, 3.0) * ((1 - x) ** 10 * (1 + 10 * x))[:, np.newaxis, np.newaxis]
+    assert not status.any()
+    assert np.abs(got - expected).max() < 1e-6 * np.abs(expected).max()
+    night, status = sky.weights_and_status(1.9, 0.4, 3.0)
+    assert status == runtime.CLAMPED
+    assert not night.any()
+    header = (result.folder / "export" / "skylight_sh.h").read_text(encoding="utf-8")
+    assert "SUN_ZENITH_MAX 1.780" in header
+    assert "_gradient(" not in header
+
+
+@pytest.mark.parametrize(
+    "edit",
+    [
+        ("range = [0.0, 1.5707963267948966]", "range = [0.0, 1.5]"),
+        ("[scene]", '[scene]\nsun = { latitude = 80.0, dates = ["2027-06-20", "2027-06-22"] }'),
+    ],
+)
+def test_twilight_begins_on_the_horizon(edit: tuple[str, str]) -> None:
+    text = f"{TEXT}\n[scene]\ntwilight = true\n".replace(*edit)
+    with pytest.raises(ConfigError, match=r"\$\.scene\.twilight = True.*1\.5707963"):
+        parse(tomllib.loads(text), "a config")
+
+
+def test_a_day_goes_on_to_12_degrees(tmp_path: Path) -> None:
+    table = dataclasses.replace(npz.read(ROOT / "reports" / "reference" / "export" / "skylight_sh.npz"), twilight=True)
+    (tmp_path / "t.npz").write_bytes(npz.write(table))
+    place = ("--latitude", "48.2", "--longitude", "16.4", "--date", "2024-03-20", "--turbidity", "3", "--step", "10")
+    code, out, err = invoke(
+        "export", str(tmp_path / "t.npz"), "--format", "unity", "--output", str(tmp_path / "day.json"), *place
+    )
+    assert (code, err) == (0, "")
+    assert "sun 12 degrees below the horizon" in out
+    suns = [sky["sun_zenith"] for sky in json.loads((tmp_path / "day.json").read_text(encoding="utf-8"))["skies"]]
+    assert max(suns) > np.radians(100)
+    assert max(suns) < np.radians(102)
