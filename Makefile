@@ -29,10 +29,12 @@ fuzz: .venv/run.stamp ## Call headers with 10^7 inputs of any bits each (twenty 
 lint: .venv/dev.stamp ## Check style and types
 	@.venv/bin/ruff check . && .venv/bin/ruff format --check . && .venv/bin/mypy
 
-reference: .venv/run.stamp ## Release the default config's result into reports/reference
+reference: .venv/dev.stamp ## Release the default config's result, and a picture of a scene, into reports/reference
 	@$(RUN) run configs/preetham.toml
+	@$(RUN) run configs/valley.toml >/dev/null
 	@rm -rf reports/reference && mkdir reports/reference
 	@cd reports/preetham && cp -r export figures errors.csv summary.json index.html ../reference/
+	@cp reports/valley/figures/surroundings.png reports/reference/valley.png
 
 clean: ## Delete the environment, the store and all runs but the reference
 	rm -rf .venv artifacts build *.egg-info .mypy_cache .ruff_cache .hypothesis

@@ -62,10 +62,13 @@ class Runtime:
         inputs = self._columns(values, named)
         shape = inputs.shape[:-1]
         clamped, fade, azimuth, status = self._check(inputs.reshape(-1, inputs.shape[-1]))
-        full = full_weights(table, table.evaluate(clamped), bands)
+        # What surrounds the sky carries light from band to band.
+        full = full_weights(table, table.evaluate(clamped), table.bands if table.surroundings else bands)
         if table.twilight:
             full = full * fade.astype(full.dtype)[:, np.newaxis, np.newaxis]
         out = sphere.rotate_azimuth(full, azimuth[:, np.newaxis])
+        if table.surroundings:
+            out = table.surroundings.apply(out, bands)
         if window and table.windowed:
             raise ValueError("The window is in the weights of this table already. Leave window=False.")
         if window:

@@ -247,7 +247,7 @@ def test_npz_round_trip_and_provenance(small_run: Result, tmp_path: Path) -> Non
         assert {"config", "environment", "keys"} <= set(table.provenance)
         with np.load(folder / "skylight_sh.npz", allow_pickle=False) as archive:
             body = {"stream", "rest_profile", "channel_profile"} if folder.name.endswith("packed") else {"rows", "lengths"}
-            assert set(archive.files) == {"header", "denominator"} | body
+            assert set(archive.files) == {"header", "denominator", "transfer", "own", "below"} | body
     for name, content in {"text.npz": b"hello", "empty.npz": b"", "cut.npz": data[:500]}.items():
         (tmp_path / name).write_bytes(content)
         with pytest.raises(ValueError, match=r"no table .*Give the \.npz") as caught:

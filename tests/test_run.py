@@ -213,7 +213,7 @@ def imported(path: Path) -> set[Path]:
     return found
 
 
-@pytest.mark.parametrize("name", ["preetham", "black-box"])
+@pytest.mark.parametrize("name", ["preetham", "black-box", "valley"])
 def test_every_step_is_keyed_by_all_the_code_it_runs(name: str) -> None:
     package = ROOT / "pipeline"
     by_name = {step.name: step for step in steps(load(ROOT / "configs" / f"{name}.toml"))}

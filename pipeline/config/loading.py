@@ -37,18 +37,18 @@ def load(path: str | Path, run: Mapping[str, Any] | None = None) -> Config:
         ) from error
     if run and isinstance(raw.get("run", {}), dict):
         raw["run"] = {**raw.get("run", {}), **run}
-    return parse(raw, str(path))
+    return parse(raw, str(path), Path(path).parent)
 
 
-def parse(raw: dict[str, Any], where: str) -> Config:
-    """Check the parsed TOML ``raw``; ``where`` names it in errors."""
+def parse(raw: dict[str, Any], where: str, folder: Path = Path()) -> Config:
+    """Check the parsed TOML ``raw``; ``where`` names it in errors, paths in it start from ``folder``."""
     raw = copy.deepcopy(raw)
     wrong = sun.narrow(raw)
     if wrong:
         raise ConfigError(f"{where} has 1 problem:\n  {Problem('$.scene.sun', raw['scene']['sun'], wrong)}")
     try:
         # JSON mode is strict about types but takes arrays for tuples, as TOML has no tuples.
-        config = Config.model_validate_json(json.dumps(raw, default=str))
+        config = Config.model_validate_json(json.dumps(raw, default=str)).within(folder)
     except ValidationError as error:
         found = [_problem(e, raw) for e in error.errors(include_url=False)]
     else:

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from functools import cached_property
+from pathlib import Path
 from typing import Annotated, Literal
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import Field, PrivateAttr
 
+from pipeline.config.section import Section
+from pipeline.config.surroundings import CloudsSection, LightSection, OccluderSection
 from pipeline.light import (
     BlackBox,
     CieGeneral,
@@ -26,16 +29,14 @@ Fraction = Annotated[float, Field(gt=0.0, le=1.0)]
 Bands = Annotated[int, Field(ge=1, le=32)]
 DType = Literal["float32", "float64"]
 BasisName = Literal["chebyshev", "legendre", "monomial", "fourier"]
-Picture = Literal["bands", "origins", "maps", "panoramas", "daylight", "ringing", "gibbs", "bytes", "degrees"]
+Picture = Literal[
+    "bands", "origins", "maps", "panoramas", "surroundings", "daylight", "ringing", "gibbs", "bytes", "degrees"
+]
 SolverName = Literal["svd", "qr", "normal"]
 Target = Literal["c", "npz", "glsl", "hlsl", "wgsl", "vectors"]
 
 
-class _Section(BaseModel):
-    model_config = ConfigDict(frozen=True, extra="forbid", strict=True, allow_inf_nan=False)
-
-
-class AxisSection(_Section):
+class AxisSection(Section):
     """One parameter of the light."""
 
     name: str = Field(description="a parameter of the light, e.g. sun_zenith (radians) or turbidity")
@@ -53,7 +54,7 @@ class AxisSection(_Section):
     degrees: tuple[Degree, Degree] = Field(description="[least, largest] polynomial degree of the sweep, 0 to 40")
 
 
-class TruthSection(_Section):
+class TruthSection(Section):
     """How the ground truth is sampled."""
 
     bands: Bands = Field(description="SH bands of the truth, 1 to 32")
@@ -70,7 +71,7 @@ class TruthSection(_Section):
     seed: int = Field(2008, ge=0, description="seed of the random sets, 0 or more")
 
 
-class ReferenceSection(_Section):
+class ReferenceSection(Section):
     """A fit for comparison, on the same samples."""
 
     name: Name = Field(description="lower-case letters, digits, - and _; at most 40")
@@ -81,7 +82,7 @@ class ReferenceSection(_Section):
     dtype: DType = Field("float64", description="number type the table is kept and evaluated in")
 
 
-class FitSection(_Section):
+class FitSection(Section):
     """The fit that is swept over degrees and bands."""
 
     basis: BasisName = Field("chebyshev", description="chebyshev, legendre, monomial (the paper) or fourier")
@@ -93,7 +94,7 @@ class FitSection(_Section):
     references: tuple[ReferenceSection, ...] = Field((), description="fits to show beside this one")
 
 
-class WinnerSection(_Section):
+class WinnerSection(Section):
     """Tables to select: the fewest bytes under each budget, or the degrees given."""
 
     bands: Bands = Field(description="SH bands of the table, at most truth.bands")
@@ -112,7 +113,7 @@ class WinnerSection(_Section):
     )
 
 
-class ExportSection(_Section):
+class ExportSection(Section):
     """What renderers get."""
 
     prefix: str = Field(
@@ -131,14 +132,14 @@ class ExportSection(_Section):
         return tuple(t for t in dict.fromkeys(self.targets) if t not in ("c", "npz", "vectors"))
 
 
-class CaseSection(_Section):
+class CaseSection(Section):
     """A parameter set to show as panoramas."""
 
     title: str = Field(min_length=1, max_length=80, description="heading of the pictures, at most 80 characters")
     at: dict[str, float] = Field(description="one value for each axis, inside its range")
 
 
-class ReportSection(_Section):
+class ReportSection(Section):
     """Which pictures to draw."""
 
     figures: tuple[Picture, ...] = Field(
@@ -148,14 +149,14 @@ class ReportSection(_Section):
     cases: tuple[CaseSection, ...] = Field((), description="parameter sets to show beside the worst one")
 
 
-class SunSection(_Section):
+class SunSection(Section):
     """Where and when a scene is: what the sun's zenith angle can be."""
 
     latitude: float = Field(ge=-90.0, le=90.0, description="degrees, north positive")
     dates: tuple[str, str] = Field(description='first and last day, like ["2026-12-01", "2027-01-31"]')
 
 
-class SceneSection(_Section):
+class SceneSection(Section):
     """What a scene needs: what it does not need is not computed."""
 
     channels: Literal["all", "luminance"] = Field("all", description="all of the light's channels, or luminance alone")
@@ -177,13 +178,34 @@ class SceneSection(_Section):
         description="whether a sun below the horizon fades the light of a sun on it out, down to 12 degrees; else the "
         "sun's zenith angle is clamped",
     )
+    horizon: tuple[Annotated[float, Field(ge=-1.5707963267948966, le=1.5707963267948966)], ...] = Field(
+        (),
+        max_length=3600,
+        description="the skyline's elevations in radians, -pi/2 to pi/2, at even azimuths from east (+x) towards north, "
+        "joined by straight lines; what is below it is black, or the ground",
+    )
+    clouds: CloudsSection | None = Field(None, description="clouds before the sky")
+    occluders: tuple[OccluderSection, ...] = Field((), description="black spheres before everything but the lights")
+    lights: tuple[Annotated[LightSection, Field(discriminator="kind")], ...] = Field(
+        (), description="lights that never move: kind = sphere, disc, point, spot or directional"
+    )
     window: bool = Field(False, description="fold the zonal window of eq. 5 into the weights")
     fixed: dict[str, float] = Field({}, description="parameters that never change, e.g. { turbidity = 3.0 }")
     azimuth: float | None = Field(None, description="the sun's azimuth in radians, if it never changes")
     sun: SunSection | None = Field(None, description="narrows the sun_zenith axis to what the sun reaches there and then")
 
+    @property
+    def masked(self) -> bool:
+        """Whether anything hides a part of the sky."""
+        return bool(self.horizon or self.clouds or self.occluders)
 
-class RunSection(_Section):
+    @property
+    def surrounded(self) -> bool:
+        """Whether anything in the world stands still while the sun turns."""
+        return self.masked or bool(self.lights)
+
+
+class RunSection(Section):
     """Where the work is done; it changes no result."""
 
     executor: str = Field(
@@ -194,7 +216,7 @@ class RunSection(_Section):
     workers: int = Field(0, ge=0, le=1024, description="threads or processes, 0 for one a core")
 
 
-class Config(_Section):
+class Config(Section):
     """One run of the pipeline."""
 
     name: Name = Field(description="name of the run and of its folder under reports/: lower-case letters, digits, - and _")
@@ -212,6 +234,18 @@ class Config(_Section):
     report: ReportSection = ReportSection()
     scene: SceneSection = SceneSection()
     run: RunSection = RunSection()
+    _folder: Path = PrivateAttr(default_factory=Path)
+
+    @property
+    def folder(self) -> Path:
+        """The folder of the config's file, which paths in it start from."""
+        return self._folder
+
+    def within(self, folder: Path) -> Config:
+        """Return this config, read from a file in ``folder``."""
+        placed = self.model_copy()
+        placed._folder = folder
+        return placed
 
     @cached_property
     def source(self) -> Light:

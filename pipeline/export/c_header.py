@@ -20,6 +20,7 @@ from pipeline.table import twilight
 from pipeline.table.factor import ClosedForm, Reciprocal
 from pipeline.table.packed import Packed
 from pipeline.table.rows import Rows
+from pipeline.table.surroundings import PARTS
 from pipeline.table.table import Table
 
 PREFIX = re.compile(r"[a-z][a-z0-9_]{0,31}")
@@ -74,6 +75,7 @@ def write(table: Table, facts: Facts, prefix: str = "skylight_sh") -> str:
         unit=unit,
         notes=notes,
         twilight=_twilight(table, number),
+        around=_around(table, number),
         fixed_azimuth=table.azimuth is not None,
         windowed=table.windowed,
         ground=_below(table),
@@ -130,15 +132,26 @@ def _twilight(table: Table, number: Number) -> dict[str, str] | None:
     }
 
 
+def _around(table: Table, number: Number) -> dict[str, list[str]] | None:
+    """Return the constants of the surroundings, row after row."""
+    found = table.surroundings
+    if not found:
+        return None
+    return {name: [number(v) for v in getattr(found, name).ravel().tolist()] for name in PARTS}
+
+
 def _below(table: Table) -> str:
     """Return in words what is below the horizon."""
     lit = f"an even ground of {table.ground}, lit by the sky{' and the sun' if table.sun_disc else ''}"
+    if table.surroundings and table.surroundings.below.size:
+        lit = lit.replace("the sky", "what of the sky is seen")
     return {"black": "black", "mirror": "the sky's mirror image"}.get(table.ground, lit)
 
 
 def _lower(table: Table) -> list[str]:
     """Return the zonal weights of an even ground, where one can be added to the table's weights at run time."""
-    if table.bands < 2 or table.ground != "black" or table.windowed or table.quantity != "radiance":
+    around = table.surroundings
+    if table.bands < 2 or table.ground != "black" or table.windowed or table.quantity != "radiance" or around:
         return []
     return [_single(value) for value in lower_hemisphere(table.bands).tolist()]
 
@@ -162,6 +175,11 @@ def _about(table: Table) -> tuple[str, str, list[str]]:
         notes.append("The sun's disc, 0.2665 degrees in radius and dimmed by the air, is in the weights.")
     elif "sun_zenith" in [axis.name for axis in table.axes]:
         notes.append("The glow about the sun is in the weights, its disc is not: with a disc of your own, add no halo.")
+    if table.surroundings:
+        notes.append("The scene's surroundings are in the weights: what hides part of the sky, and what shines beside it.")
+        notes.append(
+            f"They multiply the sky's errors, which are those below, by no more than {table.surroundings.gain:.3g}."
+        )
     if table.twilight:
         notes.append("Below the horizon the light of a sun on it fades: (1 - x)^10 (1 + 10 x), x = depth / 12 degrees.")
     if table.azimuth is not None:

@@ -20,6 +20,7 @@ from pipeline.light import PREFACTORS
 from pipeline.table.factor import ClosedForm, Factor, Reciprocal
 from pipeline.table.packed import Packed
 from pipeline.table.rows import Rows
+from pipeline.table.surroundings import PARTS, Surroundings
 from pipeline.table.table import Table
 
 FORMAT = 3
@@ -49,6 +50,8 @@ def write(table: Table) -> bytes:
         "twilight": table.twilight,
         "provenance": table.provenance,
     }
+    around = table.surroundings or Surroundings()
+    arrays |= {part: getattr(around, part) for part in PARTS}
     arrays["denominator"] = table.factor.coefficients if isinstance(table.factor, Reciprocal) else _NONE
     out = io.BytesIO()
     with zipfile.ZipFile(out, "w", zipfile.ZIP_STORED) as archive:
@@ -105,6 +108,7 @@ def _table(header: dict[str, Any], archive: Mapping[str, NDArray[Any]]) -> Table
         factor = ClosedForm(header["prefactor"], tuple(header["prefactor_constants"]), tuple(map(tuple, header["fixed"])))
     elif archive["denominator"].size:
         factor = Reciprocal(archive["denominator"])
+    around = Surroundings(*(archive[part] for part in PARTS))
     return Table(
         axes=tuple(Axis(**axis) for axis in header["axes"]),
         channels=tuple(header["channels"]),
@@ -121,4 +125,5 @@ def _table(header: dict[str, Any], archive: Mapping[str, NDArray[Any]]) -> Table
         ground=header["ground"],
         sun_disc=header["sun_disc"],
         twilight=header["twilight"],
+        surroundings=around if around.numbers else None,
     )

@@ -45,6 +45,8 @@ def obstacle(table: Table) -> str | None:
         return f"its numbers are {table.dtype}; shaders work in float32"
     if table.quantity != "radiance" or table.azimuth is not None:
         return "a shader takes radiance weights of a sun that turns"
+    if table.surroundings:
+        return "surroundings are too many constants for a shader; apply them to its weights"
     if len(table.channels) > _MOST_CHANNELS:
         return f"it has {len(table.channels)} channels; a shader's vectors hold {_MOST_CHANNELS}"
     return None

@@ -70,6 +70,22 @@ def read(path: Path, *, linear: bool = False) -> Picture:
     return Picture(from_srgb(pixels) if whole and not linear else pixels, names)
 
 
+def read_mask(path: Path) -> Array:
+    """Return a picture file's opacity ``(height, width, 1)``: the mean of its colours, taken as linear, in [0, 1].
+
+    Raises what ``read`` raises, and ValueError for a pixel that is no number of 0 to 1.
+    """
+    opacity: Array = read(path, linear=True).pixels.astype(np.float64).mean(axis=-1, keepdims=True)
+    wrong = ~((opacity >= 0.0) & (opacity <= 1.0))
+    if wrong.any():
+        row, column, _ = np.argwhere(wrong)[0].tolist()
+        raise ValueError(
+            f"{path}: invalid opacity {opacity[row, column, 0]:g} at row {row}, column {column} (from 0, top left). Should "
+            "be from 0 to 1. Mend it in an image editor."
+        )
+    return opacity
+
+
 def from_srgb(encoded: NDArray[np.float32]) -> NDArray[np.float32]:
     """Decode sRGB values in [0, 1] to linear ones (IEC 61966-2-1); any shape."""
     low = encoded / np.float32(12.92)

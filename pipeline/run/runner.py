@@ -16,13 +16,13 @@ from threadpoolctl import threadpool_limits
 from pipeline.config.schema import Config
 from pipeline.run import plan, progress
 from pipeline.run.provenance import environment, settings
-from pipeline.run.stages import export, fit, origins, report, select, truth, variables
+from pipeline.run.stages import export, fit, origins, report, select, surroundings, truth, variables
 from pipeline.run.stages.files import from_dataset
 from pipeline.store import atomic
 from pipeline.store.store import Store
 
 # The order is the pipeline's: each stage reads only what stands before it.
-STAGES = (truth, variables, fit, origins, select, export, report)
+STAGES = (truth, variables, surroundings, fit, origins, select, export, report)
 
 
 @dataclass(frozen=True)

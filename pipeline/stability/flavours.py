@@ -9,6 +9,7 @@ from pipeline import sphere
 from pipeline.fit.axes import Axis
 from pipeline.light import Preetham
 from pipeline.table.factor import ClosedForm, Reciprocal
+from pipeline.table.surroundings import Surroundings
 from pipeline.table.table import Frame, Table, fast, small
 
 _ZENITH = Axis("sun_zenith", 0.0, np.pi / 2, "rad", map="reciprocal", point=5.0)
@@ -34,8 +35,16 @@ def flavours() -> dict[str, Table]:
         "unmirrored": _rows(rng, Frame(three, _RGB[:2], False, "monomial", None), (5, 3, 1), 5, "float32"),
         "twilight": _rows(rng, Frame(two, ("luminance",), True, "chebyshev", closed, twilight=True), (5, 2), 3, "float32"),
         "twilight-packed": _packed(rng, Frame(two, _RGB, True, "chebyshev", None, twilight=True), (5, 2), 3),
+        "surrounded": _rows(
+            rng, Frame(two, _RGB, True, "chebyshev", closed, surroundings=_around(rng)), (5, 2), 3, "float32"
+        ),
         "unmirrored-packed": _packed(rng, Frame((_TURBIDITY,), _RGB, False, "fourier", None), (4,), 3),
     }
+
+
+def _around(rng: np.random.Generator) -> dict[int, Surroundings]:
+    """Return surroundings of three bands and three channels, every part of them."""
+    return {3: Surroundings(np.eye(9) / 2 + rng.normal(size=(9, 9)) / 20, *rng.normal(size=(2, 3, 9)) / 10)}
 
 
 def _dense(rng: np.random.Generator, frame: Frame, degrees: tuple[int, ...], bands: int) -> NDArray[np.float64]:

@@ -18,6 +18,7 @@ from pipeline.table.factor import Factor
 from pipeline.table.layout import Layout, layout
 from pipeline.table.packed import Packed
 from pipeline.table.rows import Rows
+from pipeline.table.surroundings import Surroundings
 
 Array = NDArray[np.float64]
 Floats = NDArray[np.floating]
@@ -36,7 +37,7 @@ class Table:
     ``provenance`` is JSON-like and says where the table comes from. ``quantity`` is radiance or irradiance; ``windowed``
     says that the window of eq. 5 is in the weights; ``azimuth`` is the sun's where it is no input (radians);
     ``ground`` says what is below the horizon, ``sun_disc`` whether the sun's disc is in the weights, ``twilight`` whether a
-    ``sun_zenith`` beyond the horizon fades them out.
+    ``sun_zenith`` beyond the horizon fades them out. ``surroundings`` act on the weights once they are turned.
     """
 
     axes: tuple[Axis, ...]
@@ -54,6 +55,7 @@ class Table:
     ground: str = "black"
     sun_disc: bool = False
     twilight: bool = False
+    surroundings: Surroundings | None = None
 
     @property
     def dtype(self) -> np.dtype[np.floating]:
@@ -91,6 +93,7 @@ class Table:
         """Size of what the first ``bands`` bands alone read: a table of fewer bands is a prefix of this one."""
         numbers = sum(2 + len(axis.constants) for axis in self.axes) + (self.factor.numbers if self.factor else 0)
         numbers += twilight.NUMBERS if self.twilight else 0
+        numbers += self.surroundings.numbers if self.surroundings else 0
         body = self.body
         if isinstance(body, Packed):
             part = body if bands == self.bands else packed.pack(packed.unpack(body, bands), self._degrees(bands), body.step)
@@ -182,7 +185,7 @@ def products(basis: str, axes: Sequence[Axis], values: Floats, degrees: Sequence
 
 @dataclass(frozen=True)
 class Frame:
-    """All of a table but its coefficients: what one fit's tables have in common."""
+    """All of a table but its coefficients: what one fit's tables have in common, surroundings by the number of bands."""
 
     axes: tuple[Axis, ...]
     channels: tuple[str, ...]
@@ -195,6 +198,7 @@ class Frame:
     ground: str = "black"
     sun_disc: bool = False
     twilight: bool = False
+    surroundings: Mapping[int, Surroundings] = field(default_factory=dict)
 
     def table(self, bands: int, degrees: tuple[int, ...], body: Rows | Packed) -> Table:
         """Return a table of this frame."""
@@ -213,6 +217,7 @@ class Frame:
             ground=self.ground,
             sun_disc=self.sun_disc,
             twilight=self.twilight,
+            surroundings=self.surroundings.get(bands),
         )
 
 

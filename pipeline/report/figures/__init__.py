@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from matplotlib.figure import Figure
 
-from pipeline.report.figures import bands, daylight, degrees, gibbs, maps, origins, panoramas, ringing, sizes
+from pipeline.report.figures import bands, daylight, degrees, gibbs, maps, origins, panoramas, ringing, sizes, surroundings
 from pipeline.report.material import Material
 
 
@@ -27,6 +27,7 @@ PICTURES = {
     "degrees": Picture("Error of every combination of degrees", degrees.CAPTION, degrees.draw),
     "maps": Picture("Where the error is", maps.CAPTION, maps.draw),
     "panoramas": Picture("The worst cases as skies", panoramas.CAPTION, panoramas.draw),
+    "surroundings": Picture("The scene's surroundings", surroundings.CAPTION, surroundings.draw),
     "daylight": Picture("A clear day in lux", daylight.CAPTION, daylight.draw),
     "ringing": Picture("Ringing, before and after the window", ringing.CAPTION, ringing.draw),
     "gibbs": Picture("Ringing: every window, every ground", gibbs.CAPTION, gibbs.draw),

@@ -18,7 +18,7 @@ from pipeline.fit.sweep import sweep
 from pipeline.run.executors import Advance
 from pipeline.run.plan import Inputs, Step
 from pipeline.run.stages.axes import fit_nodes, variables
-from pipeline.run.stages.frame import frame_of
+from pipeline.run.stages.frame import frame_of, surrounded
 from pipeline.run.stages.scene import folded, luminance_scale
 from pipeline.store.dataset import Dataset, Variable
 from pipeline.table import factor as factors
@@ -47,7 +47,7 @@ def steps(config: Config) -> list[Step]:
         "light": {**asdict(config.light), "version": config.light.version},
         "scene": config.scene.model_dump(mode="json"),
     }
-    needed = ("truth/grid", *variables(config), *truth_inputs(config))
+    needed = ("truth/grid", *variables(config), *surrounded(config), *truth_inputs(config))
     return [Step("fit", "", _CODE, needed, parameters, partial(_make, config))]
 
 

@@ -6,7 +6,10 @@ from pipeline.config.schema import Config
 from pipeline.run.plan import Inputs
 from pipeline.run.stages.axes import VARIABLES, axes_of
 from pipeline.table.factor import ClosedForm, Factor, Reciprocal
+from pipeline.table.surroundings import PARTS, Surroundings
 from pipeline.table.table import Frame
+
+SURROUNDINGS = "truth/surroundings"
 
 
 def factor_of(config: Config, inputs: Inputs) -> Factor | None:
@@ -18,6 +21,20 @@ def factor_of(config: Config, inputs: Inputs) -> Factor | None:
         return None
     fixed = {name: value for name, value in config.scene.fixed.items() if name in hint.axes}
     return ClosedForm(hint.name, hint.constants, tuple(sorted(fixed.items())))
+
+
+def surrounded(config: Config) -> tuple[str, ...]:
+    """Return the name of the step that made the surroundings among a step's inputs, if there are any."""
+    return (SURROUNDINGS,) if config.scene.surrounded else ()
+
+
+def _surroundings(inputs: Inputs) -> dict[int, Surroundings]:
+    """Return the surroundings by the number of bands; none where there are none."""
+    if SURROUNDINGS not in inputs:
+        return {}
+    made = inputs[SURROUNDINGS]
+    bands = sorted({int(name.split("/")[1]) for name in made.variables})
+    return {n: Surroundings(*(made[f"{part}/{n}"] for part in PARTS)) for n in bands}
 
 
 def frame_of(config: Config, inputs: Inputs, *, mirrored: bool) -> Frame:
@@ -35,4 +52,5 @@ def frame_of(config: Config, inputs: Inputs, *, mirrored: bool) -> Frame:
         scene.ground if isinstance(scene.ground, str) else f"albedo {', '.join(f'{a:g}' for a in scene.ground)}",
         scene.sun_disc,
         scene.twilight,
+        _surroundings(inputs),
     )

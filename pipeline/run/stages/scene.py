@@ -29,7 +29,7 @@ def folded(config: Config, weights: Array, degrees: Index, sets: Array) -> Array
         weights, from_below = weights + disc, below
     if scene.ground == "mirror":
         weights = sphere.mirror_ground(weights, bands, mirrored=mirrored)
-    elif scene.ground != "black":
+    elif scene.ground != "black" and not scene.masked:
         weights = sphere.add_ground(weights, scene.ground, bands, mirrored=mirrored, from_below=from_below)
     return weights if scene.quantity == "radiance" else weights * sphere.clamped_cosine(bands)[degrees]
 

@@ -21,7 +21,7 @@ from pipeline.run.executors import Advance, map_tasks
 from pipeline.run.plan import Inputs, Step
 from pipeline.run.stages.axes import fit_nodes, variables
 from pipeline.run.stages.fit import reference_of, truth_inputs
-from pipeline.run.stages.frame import frame_of
+from pipeline.run.stages.frame import frame_of, surrounded
 from pipeline.run.stages.scene import folded, luminance_scale, window
 from pipeline.store.dataset import Dataset, Variable
 from pipeline.table import factor as factors
@@ -94,7 +94,7 @@ class _Material:
 def steps(config: Config) -> list[Step]:
     """Return the selection's step."""
     parameters = {"winners": [winner.model_dump(mode="json") for winner in config.winners]}
-    needed = ("fit", "truth/grid", *variables(config), *truth_inputs(config))
+    needed = ("fit", "truth/grid", *variables(config), *surrounded(config), *truth_inputs(config))
     return [Step("select", "", _CODE, needed, parameters, partial(_make, config))]
 
 

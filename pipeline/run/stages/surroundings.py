@@ -1,0 +1,79 @@
+"""Surroundings: what stands in the scene beside its sky, as maps of the weights, one for each winner's number of bands."""
+
+from __future__ import annotations
+
+import hashlib
+from functools import partial
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pipeline import probe, sphere
+from pipeline.config.schema import Config
+from pipeline.config.surroundings import weights
+from pipeline.light import spherical
+from pipeline.probe import files
+from pipeline.run.executors import Advance
+from pipeline.run.plan import Inputs, Step
+from pipeline.store.dataset import Dataset, Variable
+from pipeline.table.surroundings import PARTS, build, mask_bands
+
+Array = NDArray[np.float64]
+
+_CODE = ("light", "sphere", "probe", "table/surroundings.py", "config/surroundings.py", "run/stages/surroundings.py")
+
+
+def steps(config: Config) -> list[Step]:
+    """Return the step; nothing where nothing surrounds the scene."""
+    if not config.scene.surrounded:
+        return []
+    clouds = config.scene.clouds
+    picture = hashlib.sha256((config.folder / clouds.image).read_bytes()).hexdigest() if clouds else ""
+    parameters = {
+        "scene": config.scene.model_dump(mode="json"),
+        "picture": picture,
+        "bands": _bands(config),
+        "channels": config.source.channels,
+    }
+    return [Step("truth", "surroundings", _CODE, (), parameters, partial(_make, config))]
+
+
+def _bands(config: Config) -> list[int]:
+    return sorted({winner.bands for winner in config.winners})
+
+
+def _make(config: Config, _: Inputs, advance: Advance) -> Dataset:
+    scene, found = config.scene, dict[str, Variable]()
+    for done, bands in enumerate(_bands(config)):
+        advance(done, len(_bands(config)))
+        opacity = _opacity(config, mask_bands(bands))
+        hidden = (
+            spherical.half_angles([o.centre for o in scene.occluders], [o.radius for o in scene.occluders])
+            if scene.occluders
+            else None
+        )
+        lights = sum((weights(light, bands) for light in scene.lights), start=np.zeros(()))
+        if scene.lights and scene.quantity == "irradiance":
+            lights = sphere.scale_degrees(lights, sphere.clamped_cosine(bands))
+        built = build(
+            bands,
+            scene.horizon,
+            None if scene.clouds is None else (opacity, scene.clouds.colour),
+            hidden,
+            None if isinstance(scene.ground, str) else scene.ground,
+            lights if scene.lights else np.zeros(0),
+        )
+        for part in PARTS:
+            array = getattr(built, part)
+            dims = tuple(f"{part}_{bands}_{axis}" for axis in range(array.ndim))
+            found[f"{part}/{bands}"] = Variable(dims, array)
+    return Dataset(found, {})
+
+
+def _opacity(config: Config, bands: int) -> Array:
+    """Return the SH weights of the clouds' opacity, ``(N*N,)``."""
+    clouds = config.scene.clouds
+    if clouds is None:
+        return np.zeros(bands * bands)
+    pixels = files.read_mask(config.folder / clouds.image)
+    return np.asarray(clouds.opacity * probe.project(pixels, clouds.layout, bands)[0])

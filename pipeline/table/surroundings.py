@@ -1,0 +1,104 @@
+"""What a scene does to the weights of its sky, once the sun has been turned to its azimuth: one linear map and an offset.
+
+``weights -> transfer @ weights + own``, then ``+ below * weights[l = 1, m = 0]``: a skyline, clouds and occluders let a part
+of the sky through (a transfer matrix of triple products, Green 2003, eq. 8), clouds and lights shine themselves, and the
+ground below the skyline reflects what then falls onto the horizontal.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from pipeline import sphere
+
+Array = NDArray[np.float64]
+Floats = NDArray[np.floating]
+
+PARTS = ("transfer", "own", "below")
+_NONE: Array = np.zeros(0)
+
+
+@dataclass(frozen=True)
+class Surroundings:
+    """``transfer`` ``(N*N, N*N)``, ``own`` and ``below`` ``(channels, N*N)``; each of size 0 where it does nothing."""
+
+    transfer: Array = field(default_factory=lambda: _NONE)
+    own: Array = field(default_factory=lambda: _NONE)
+    below: Array = field(default_factory=lambda: _NONE)
+
+    @property
+    def numbers(self) -> int:
+        """How many numbers an evaluation reads, whatever the number of bands."""
+        return self.transfer.size + self.own.size + self.below.size
+
+    def apply(self, weights: Floats, bands: int) -> Floats:
+        """Return the first ``bands`` bands of the scene, ``(..., channels, M*M)``, from all ``(..., channels, N*N)``."""
+        real = weights.dtype
+        out = weights @ self.transfer.T.astype(real) if self.transfer.size else weights
+        if self.own.size:
+            out = out + self.own.astype(real)
+        if self.below.size:
+            out = out + self.below.astype(real) * out[..., 2:3]
+        return out[..., : bands * bands]
+
+    @property
+    def gain(self) -> float:
+        """How much an error of the weights may grow: the largest singular value of the linear part."""
+        return float(np.linalg.norm(self.transfer, 2)) if self.transfer.size else 1.0
+
+
+def mask_bands(bands: int) -> int:
+    """Return how many bands of a mask its product with ``bands`` bands needs, of which as many are kept: exactly these."""
+    return 2 * bands - 1
+
+
+def build(
+    bands: int,
+    skyline: Sequence[float] = (),
+    clouds: tuple[Array, ArrayLike] | None = None,
+    occluders: tuple[Array, Array] | None = None,
+    albedo: Sequence[float] | None = None,
+    lights: Array = _NONE,
+) -> Surroundings:
+    """Combine a scene's parts, nearest last: clouds before the sky, the skyline before them, occluders before all.
+
+    ``skyline`` as ``sphere.horizon`` takes it; ``clouds`` are the weights of their opacity and their radiance
+    ``(channels,)``; ``occluders`` half-angles ``(n,)`` and directions ``(n, 3)`` of black spheres; ``albedo`` the ground's,
+    one a channel, below the skyline; ``lights`` ``(channels, N*N)`` are hidden by nothing and do not light the ground. Masks
+    are multiplied with 2N - 1 bands of each. Raises ValueError for a number out of its range.
+    """
+    masked = bool(len(skyline) or clouds or occluders)
+    if albedo is not None and masked and bands < 2:
+        raise ValueError("One band does not tell the irradiance on the ground. Give at least two bands.")
+    wide = mask_bands(bands)
+    one = np.zeros(wide * wide)
+    one[0] = np.sqrt(4 * np.pi)
+    near = one
+    for half_angle, direction in zip(*occluders, strict=True) if occluders else ():
+        shade = one - sphere.aim(sphere.cap(half_angle, wide), direction)
+        near = sphere.product(near, shade, wide)
+    above = sphere.horizon(skyline, wide) if len(skyline) else one
+    seen = sphere.product(near, above, wide) if occluders else above
+    opacity, colours = (clouds[0], np.asarray(clouds[1])) if clouds else (0.0 * one, _NONE)
+    through = seen - sphere.product(seen, opacity, wide) if clouds else seen
+    own = lights
+    if clouds:
+        shown = sphere.product(seen, opacity, bands)
+        own = np.multiply.outer(colours, shown) + (lights if lights.size else 0.0)
+    below = _NONE
+    if albedo is not None and masked:
+        ground = one - above if len(skyline) else _zonal(sphere.lower_hemisphere(wide))
+        shape = sphere.product(near, ground, bands) if occluders else ground[: bands * bands]
+        below = np.multiply.outer(np.array(albedo) * np.sqrt(4 / (3 * np.pi)), shape)
+    return Surroundings(sphere.multiplication(through, bands) if masked else _NONE, own, below)
+
+
+def _zonal(weights: Array) -> Array:
+    out = np.zeros(weights.size**2)
+    l = np.arange(weights.size)
+    out[l * (l + 1)] = weights
+    return out
