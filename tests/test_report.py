@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 import struct
 from pathlib import Path
@@ -15,7 +16,8 @@ from pipeline.config import load
 from pipeline.report.style import percent
 from pipeline.run.runner import Result
 
-FIGURES = 'figures = ["bands", "maps", "panoramas", "ringing", "gibbs", "bytes", "degrees"]'
+PICTURES = ("bands", "maps", "panoramas", "ringing", "gibbs", "encoding", "bytes", "degrees")
+FIGURES = f"figures = {json.dumps([*PICTURES, 'daylight', 'surroundings'])}"
 
 
 def png_size(data: bytes) -> tuple[int, int]:
@@ -44,7 +46,7 @@ def test_page_escapes_what_the_config_says(tmp_path: Path) -> None:
     page = (result.folder / "index.html").read_text(encoding="utf-8")
     assert "<script>alert" not in page
     assert "&lt;script&gt;alert" in page
-    for name in ("bands", "maps", "panoramas", "ringing", "gibbs", "bytes", "degrees"):
+    for name in (*PICTURES, "daylight"):
         width, height = png_size((result.folder / "figures" / f"{name}.png").read_bytes())
         assert width >= 800
         assert height >= 350
@@ -86,8 +88,10 @@ def test_one_axis_and_one_channel_have_their_pictures(tmp_path: Path) -> None:
     text = (SMALL.parent / "small-cie.toml").read_text(encoding="utf-8")
     (tmp_path / "cie.toml").write_text(f"{text}\n[report]\n{FIGURES}\n", encoding="utf-8")
     result = run_quietly(load(tmp_path / "cie.toml"), tmp_path)
-    for name in ("bands", "maps", "panoramas", "ringing", "gibbs", "bytes", "degrees"):
+    for name in PICTURES:
         png_size((result.folder / "figures" / f"{name}.png").read_bytes())
+    # What a light or a scene does not have is not shown.
+    assert not any((result.folder / "figures" / f"{name}.png").exists() for name in ("daylight", "surroundings"))
     assert "CIE general sky, type 12" in (result.folder / "index.html").read_text(encoding="utf-8")
 
 

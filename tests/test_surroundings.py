@@ -21,6 +21,7 @@ from pipeline.table.surroundings import Surroundings, build, mask_bands
 
 Array = NDArray[np.float64]
 TEXT = SMALL.read_text(encoding="utf-8").replace('layouts = ["rows", "packed"]\n', "").replace("[0.05, 0.01]", "[0.01]")
+TEXT = TEXT.replace('["bands"]', '["surroundings"]')
 BANDS = 4
 WIDE = mask_bands(BANDS)
 RNG = np.random.default_rng(3)
@@ -125,9 +126,9 @@ def test_a_run_hides_shines_and_turns(tmp_path: Path) -> None:
     picture(tmp_path / "clouds.exr", opacity)
     clouds = 'clouds = { image = "clouds.exr", layout = "equirect", colour = [4000.0, 5000.0, 6000.0], opacity = 0.5 }'
     lamp = 'lights = [{ kind = "sphere", centre = [0.0, 3.0, 4.0], radius = 1.0, radiance = [9000.0, 8000.0, 7000.0] }]'
-    around = runtime.load(
-        run_quietly(config_of(tmp_path, f"{clouds}\n{lamp}"), tmp_path).folder / "export" / "skylight_sh.npz"
-    )
+    result = run_quietly(config_of(tmp_path, f"{clouds}\n{lamp}"), tmp_path)
+    assert (result.folder / "figures" / "surroundings.png").stat().st_size > 20_000
+    around = runtime.load(result.folder / "export" / "skylight_sh.npz")
     plain = runtime.load(run_quietly(config_of(tmp_path, ""), tmp_path).folder / "export" / "skylight_sh.npz")
     assert around.table.bytes == plain.table.bytes + 4 * (256 + 3 * 16)
     # 0.5 (1 - x) times 0.5, and x is a multiple of y_11.

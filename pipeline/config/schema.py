@@ -30,7 +30,7 @@ Bands = Annotated[int, Field(ge=1, le=32)]
 DType = Literal["float32", "float64"]
 BasisName = Literal["chebyshev", "legendre", "monomial", "fourier"]
 Picture = Literal[
-    "bands", "origins", "maps", "panoramas", "surroundings", "daylight", "ringing", "gibbs", "bytes", "degrees"
+    "bands", "origins", "maps", "panoramas", "surroundings", "daylight", "ringing", "gibbs", "encoding", "bytes", "degrees"
 ]
 SolverName = Literal["svd", "qr", "normal"]
 Target = Literal["c", "npz", "glsl", "hlsl", "wgsl", "vectors"]

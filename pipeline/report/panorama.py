@@ -42,5 +42,10 @@ def display(radiance: Array, white: float) -> Array:
     """Tone-map linear radiance so that ``white`` is near the top (Reinhard 2002), and encode it as sRGB in [0, 1]."""
     scaled = np.maximum(radiance, 0.0) * (3.0 / white)
     mapped = np.clip(scaled / (1.0 + scaled) * (4.0 / 3.0), 0.0, 1.0)
-    encoded = np.where(mapped <= 0.0031308, 12.92 * mapped, 1.055 * mapped ** (1 / 2.4) - 0.055)
+    encoded = to_srgb(mapped)
     return encoded if encoded.shape[-1] == 3 else np.repeat(encoded.mean(axis=-1, keepdims=True), 3, axis=-1)
+
+
+def to_srgb(linear: Array) -> Array:
+    """Encode linear values in [0, 1] as sRGB (IEC 61966-2-1); any shape."""
+    return np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)

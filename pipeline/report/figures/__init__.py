@@ -7,7 +7,19 @@ from dataclasses import dataclass
 
 from matplotlib.figure import Figure
 
-from pipeline.report.figures import bands, daylight, degrees, gibbs, maps, origins, panoramas, ringing, sizes, surroundings
+from pipeline.report.figures import (
+    bands,
+    daylight,
+    degrees,
+    encoding,
+    gibbs,
+    maps,
+    origins,
+    panoramas,
+    ringing,
+    sizes,
+    surroundings,
+)
 from pipeline.report.material import Material
 
 
@@ -31,4 +43,5 @@ PICTURES = {
     "daylight": Picture("A clear day in lux", daylight.CAPTION, daylight.draw),
     "ringing": Picture("Ringing, before and after the window", ringing.CAPTION, ringing.draw),
     "gibbs": Picture("Ringing: every window, every ground", gibbs.CAPTION, gibbs.draw),
+    "encoding": Picture("Ringing of captured light", encoding.CAPTION, encoding.draw),
 }
