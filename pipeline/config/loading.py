@@ -5,14 +5,13 @@ from __future__ import annotations
 import copy
 import difflib
 import json
-import tomllib
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 from pydantic import ValidationError
 
-from pipeline.config import problems, sun
+from pipeline.config import extending, problems, sun
 from pipeline.config.problems import Problem
 from pipeline.config.schema import Config
 
@@ -27,14 +26,15 @@ def load(path: str | Path, run: Mapping[str, Any] | None = None) -> Config:
     Raises ConfigError naming every field, value and remedy.
     """
     try:
-        raw = tomllib.loads(Path(path).read_text(encoding="utf-8"))
-    except tomllib.TOMLDecodeError as error:
-        raise ConfigError(f"{path} is not valid TOML: {error}. Mend that line.") from error
+        raw = extending.read(Path(path))
     except (OSError, UnicodeDecodeError) as error:
         reason = error.strerror if isinstance(error, OSError) else "it is not UTF-8 text"
+        which = error.filename if isinstance(error, OSError) and error.filename else path
         raise ConfigError(
-            f"{path} cannot be read ({reason}). Give the path of a TOML file, such as configs/preetham.toml."
+            f"{which} cannot be read ({reason}). Give the path of a TOML file, such as configs/preetham.toml."
         ) from error
+    except ValueError as error:
+        raise ConfigError(str(error)) from error
     if run and isinstance(raw.get("run", {}), dict):
         raw["run"] = {**raw.get("run", {}), **run}
     return parse(raw, str(path), Path(path).parent)

@@ -220,6 +220,11 @@ class Config(Section):
     """One run of the pipeline."""
 
     name: Name = Field(description="name of the run and of its folder under reports/: lower-case letters, digits, - and _")
+    extends: str = Field(
+        "",
+        description="a config beside this one, or below, of which this one then says only what differs: tables are merged, "
+        "and axes and references by name",
+    )
     light: Annotated[
         Preetham | CieGeneral | CieTraditional | Perez | MitsubaSunsky | Plugin, Field(discriminator="model")
     ] = Field(

@@ -19,7 +19,7 @@ from typing import ClassVar, Literal
 import numpy as np
 
 from pipeline.light.one_channel import OneChannel
-from pipeline.light.protocol import Array, Domain, Hints, Parameters, sun_angle
+from pipeline.light.protocol import OPTIONS, Array, Domain, Hints, Parameters, sun_angle
 
 # Gradation a, b and indicatrix c, d, e of sky types 1 (overcast) to 15 (white-blue turbid with broad corona).
 _TYPES = (
@@ -48,7 +48,7 @@ _DOMAINS: Mapping[str, Domain] = {
 class _Relative(OneChannel):
     """What all of these skies share: the axis of the sun's zenith angle."""
 
-    __pydantic_config__: ClassVar[dict[str, object]] = {"extra": "forbid", "strict": True}
+    __pydantic_config__: ClassVar[Mapping[str, object]] = OPTIONS
 
     @property
     def domains(self) -> Mapping[str, Domain]:
@@ -61,7 +61,9 @@ class CieGeneral(_Relative):
     """Sky type ``sky`` (1 to 15) over ``sun_zenith`` in radians; the zenith's luminance is 1 cd/m2."""
 
     sky: Literal[1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15]
+    """type of ISO 15469, 1 (overcast) to 15 (white-blue turbid with a broad corona)"""
     model: Literal["cie_general"] = "cie_general"
+    """One of the fifteen CIE general skies."""
 
     @property
     def title(self) -> str:
@@ -96,7 +98,9 @@ class CieTraditional(_Relative):
     """
 
     sky: Literal["overcast", "clear", "partly-cloudy", "intermediate"]
+    """overcast, clear, partly-cloudy or intermediate"""
     model: Literal["cie_traditional"] = "cie_traditional"
+    """One of the older CIE skies."""
 
     @property
     def title(self) -> str:

@@ -32,7 +32,7 @@ from typing import Any, ClassVar, Literal
 import numpy as np
 
 from pipeline.light import colour
-from pipeline.light.protocol import Array, Domain, Hints, MissingExtraError, Parameters, sun_angle
+from pipeline.light.protocol import OPTIONS, Array, Domain, Hints, MissingExtraError, Parameters, sun_angle
 
 # Mitsuba divides RGB radiance by the integral of ybar in nm (``MI_CIE_Y_NORMALIZATION``); photometry counts lm/W.
 _YBAR = 106.7502593994140625
@@ -65,10 +65,12 @@ class MitsubaSunsky:
     clamp would break smoothness.
     """
 
-    __pydantic_config__: ClassVar[dict[str, object]] = {"extra": "forbid", "strict": True}
+    __pydantic_config__: ClassVar[Mapping[str, object]] = OPTIONS
 
     model: Literal["mitsuba_sunsky"] = "mitsuba_sunsky"
+    """The Hosek-Wilkie sky of Mitsuba 3."""
     evaluation: Literal["tables", "renderer"] = "tables"
+    """tables (the renderer's own, here) or renderer (asked for every direction)"""
 
     @property
     def title(self) -> str:

@@ -16,12 +16,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pipeline.light.one_channel import OneChannel
-from pipeline.light.protocol import Array, Domain, Hints, Parameters, Prefactor, sun_angle
+from pipeline.light.protocol import OPTIONS, Array, Domain, Hints, Parameters, Prefactor, sun_angle
 
 Floats = NDArray[np.floating]
 
 # Rows a..e of each category, in a line of twenty; columns x1..x4 of x1 + x2 Z + Delta (x3 + x4 Z). Table 1 of the paper.
-# Rows c and d of category 1 belong to formulas of their own.
+# Rows c and d of category 1 belong to formulas of their own. Compared number by number with two other programs (perezsky,
+# UMEP); the printed table was not at hand.
 _SHAPE = (
     "1.3525 -.2576 -.2690 -1.4366  -.7670 .0007 1.2734 -.1233  2.8 .6004 1.2375 1  1.8734 .6297 .9738 .2809  "
     ".0356 -.1246 -.5718 .9938",
@@ -78,11 +79,14 @@ class Perez(OneChannel):
     model's, with a solar constant of 1367 W/m2 at the mean distance. One channel, luminance in cd/m2.
     """
 
-    __pydantic_config__: ClassVar[dict[str, object]] = {"extra": "forbid", "strict": True}
+    __pydantic_config__: ClassVar[Mapping[str, object]] = OPTIONS
 
     category: Literal[1, 2, 3, 4, 5, 6, 7, 8]
+    """clearness, 1 (overcast) to 8 (clear)"""
     quantity: Literal["relative", "absolute"] = "relative"
+    """relative (the zenith's luminance is 1) or absolute (cd/m2, by the 1990 model of the zenith)"""
     model: Literal["perez"] = "perez"
+    """The Perez all-weather sky."""
 
     @property
     def title(self) -> str:

@@ -10,7 +10,7 @@ from typing import ClassVar, Literal
 
 import numpy as np
 
-from pipeline.light.protocol import Array, Domain, Hints, Light, Parameters
+from pipeline.light.protocol import OPTIONS, Array, Domain, Hints, Light, Parameters
 
 GROUP = "skylight_sh.lights"
 
@@ -45,11 +45,14 @@ class Plugin:
     Raises ValueError where no installed package offers that entry, or where it does not take the options.
     """
 
-    __pydantic_config__: ClassVar[dict[str, object]] = {"extra": "forbid", "strict": True}
+    __pydantic_config__: ClassVar[Mapping[str, object]] = OPTIONS
 
     entry: str
+    """name of an entry point of the group skylight_sh.lights"""
     options: dict[str, bool | int | float | str] = field(default_factory=dict)
+    """keyword arguments of that light's class"""
     model: Literal["plugin"] = "plugin"
+    """A light of another package."""
 
     def __post_init__(self) -> None:
         try:

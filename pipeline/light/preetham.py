@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pipeline.light import colour
-from pipeline.light.protocol import Array, Domain, Hints, MissingExtraError, Parameters, Prefactor, sun_angle
+from pipeline.light.protocol import OPTIONS, Array, Domain, Hints, MissingExtraError, Parameters, Prefactor, sun_angle
 
 Floats = NDArray[np.floating]
 
@@ -77,11 +77,14 @@ DOMAINS: Mapping[str, Domain] = {
 class Preetham:
     """The sky as a black box over ``sun_zenith`` (radians) and ``turbidity``; radiance in cd/m2."""
 
-    __pydantic_config__: ClassVar[dict[str, object]] = {"extra": "forbid", "strict": True}
+    __pydantic_config__: ClassVar[Mapping[str, object]] = OPTIONS
 
     model: Literal["preetham"] = "preetham"
+    """The Preetham sky."""
     constants: Literal["published", "smits"] = "published"
+    """published (the 1999 paper's) or smits (five digits, of its authors' code, behind the 2008 data)"""
     colour_space: str = "srgb"
+    """linear RGB by the name of its primaries: srgb, or any the colour library knows"""
 
     def __post_init__(self) -> None:
         # A colour space that is not there is told before anything runs.

@@ -13,6 +13,10 @@ Array = NDArray[np.float64]
 Parameters = Mapping[str, Array]
 
 
+# How a config reads a light's options: strictly, and with the texts below them as their descriptions.
+OPTIONS: Mapping[str, object] = {"extra": "forbid", "strict": True, "use_attribute_docstrings": True}
+
+
 @dataclass(frozen=True)
 class Domain:
     """Where a parameter of a light is defined: ``low <= value <= high`` in ``unit``; ``why`` explains the limits."""

@@ -26,7 +26,7 @@
  *
  * Provenance
  *   config preetham, table 7-bands-degrees-13-7
- *   selection e8cc4317ea4fe7460ad3cdffe30a1fe706fd8d751b2f947453f7c960695e0bf6
+ *   selection d6c14d739ac9fe859ec92188d8a20f7bdbd9f0fba9247ad289280662a29c59e7
  *   python 3.11.7, numpy 2.4.6, scipy 1.17.1, h5py 3.16.0, dask 2026.8.0
  *   x86_64: AVX512_ICL X86_V2 X86_V3 X86_V4
  */
