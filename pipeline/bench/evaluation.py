@@ -19,6 +19,7 @@ from pipeline.bench import compiled, lookup, trial
 from pipeline.bench.page import Row, Section
 from pipeline.bench.samples import Samples
 from pipeline.export import paper_literal
+from pipeline.fit.errors import e_mean
 from pipeline.table.table import Table
 from pipeline.truth import sets as parameter_sets
 
@@ -180,8 +181,7 @@ def _error(samples: Samples, candidate: Candidate, place: Path) -> float:
     got = compiled.weights(candidate.header, inputs, place, ["-O2"])
     count = sphere.count(candidate.bands, mirrored=True)
     truth = sphere.unmirror(samples.reference.weights[..., :count], candidate.bands)
-    root = np.sqrt(((got - truth) ** 2).sum(axis=-1)).max(axis=1)
-    return float((root / next(iter(samples.reference.l_min.values()))).max())
+    return e_mean(got - truth, samples.reference.headline)
 
 
 def _draw(rows: Sequence[Row]) -> Figure:

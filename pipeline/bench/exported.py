@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 from pipeline.export import npz
@@ -15,7 +16,9 @@ def exported(folder: Path) -> tuple[dict[str, Table], dict[str, float]]:
     if not summary.is_file():
         raise OSError(f"{folder} holds no summary.json. Run `make fit` with the same config first.")
     rows = json.loads(summary.read_text(encoding="utf-8"))["tables"]
-    tables = {row["name"]: npz.read(folder / row["path"] / "skylight_sh.npz") for row in rows}
+    read = {row["name"]: npz.read(folder / row["path"] / "skylight_sh.npz") for row in rows}
+    # What is measured is the sky: of what stands about it the truth knows nothing.
+    tables = {name: replace(table, surroundings=None) for name, table in read.items()}
     if not all(table.mirrored for table in tables.values()):
         raise OSError(
             f"{folder} holds tables of all orders; benchmarks and stresses are for mirror-symmetric lights and "

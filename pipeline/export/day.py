@@ -14,6 +14,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from pipeline import sphere
 from pipeline.export import engines, sun
 from pipeline.runtime import CLAMPED, INVALID, Runtime
 from pipeline.store import atomic
@@ -107,7 +108,7 @@ def to_json(day: Day) -> str:
         "condon_shortley": profile.condon_shortley,
         "axes": axes,
         "axes_in_words": engines.describe(axes),
-        "bands": round(day.numbers.shape[-1] ** 0.5),
+        "bands": sphere.bands_of(day.numbers),
         "sun": "zenith angle from up and azimuth from east (+x) towards north (+y), radians",
     }
     rows = zip(day.times, day.zeniths, day.azimuths, day.numbers, strict=True)
@@ -125,7 +126,7 @@ def to_csv(day: Day) -> str:
     profile = engines.PROFILES[day.request.format]
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
-    bands = round(day.numbers.shape[-1] ** 0.5)
+    bands = sphere.bands_of(day.numbers)
     writer.writerow(["time", "sun_zenith", "sun_azimuth", *engines.columns(profile, bands)])
     for time, z, a, numbers in zip(day.times, day.zeniths, day.azimuths, day.numbers, strict=True):
         writer.writerow([time, z, a, *engines.flatten(numbers, profile)])

@@ -8,16 +8,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pipeline.export.c_header import template
-from pipeline.sphere import count
+from pipeline.sphere import bands_of
 
 Array = NDArray[np.float64]
 
 
 def write(coefficients: Array, names: Sequence[str], channels: Sequence[str], prefix: str) -> str:
     """Return the header of ``coefficients`` ``(channels, N*N, d_1+1, .., d_D+1)`` over raw monomials of axes ``names``."""
-    bands = round(coefficients.shape[1] ** 0.5)
-    if count(bands) != coefficients.shape[1]:
-        raise ValueError(f"{coefficients.shape[1]} weights are not a square number N*N of bands.")
+    bands = bands_of(coefficients.reshape(*coefficients.shape[:2], -1)[0, :, 0])
     sizes = coefficients.shape[2:]
     return template("paper_literal.h.j2").render(
         p=prefix,

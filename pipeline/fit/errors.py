@@ -35,9 +35,20 @@ class Reference:
             return {"mean": self.mean}
         return {"per-set": self.least, "global": np.full(self.least.shape, self.least.min())}
 
+    @property
+    def headline(self) -> Array:
+        """The denominator of the first convention, which headlines use, ``(n,)``."""
+        return next(iter(self.l_min.values()))
+
     def first_bands(self, bands: int) -> NDArray[np.int64]:
         """Return the positions of the weights of the first ``bands`` bands."""
         return np.flatnonzero(self.degrees < bands)
+
+
+def e_mean(residual: Array, l_min: Array) -> float:
+    """Return the largest E_mean (eq. 3) of residuals ``(n, channels, count)`` over ``l_min`` ``(n,)``."""
+    root = np.sqrt(np.einsum("ncw,ncw->nc", residual, residual))
+    return float((root / l_min[:, np.newaxis]).max())
 
 
 def by_band(residual: Array, degrees: NDArray[np.int64], bands: int) -> tuple[Array, Array]:

@@ -1,7 +1,7 @@
 """Spherical harmonics: basis, indices, rotations, windows, convolutions and products. Pure numerics."""
 
 from pipeline.sphere._axes import change_axes
-from pipeline.sphere._basis import basis, evaluate, legendre
+from pipeline.sphere._basis import basis, evaluate, legendre, spiral
 from pipeline.sphere._convolution import (
     clamped_cosine,
     convolve,
@@ -60,6 +60,7 @@ __all__ = [
     "scale_degrees",
     "sinc_window",
     "smallest_window",
+    "spiral",
     "unmirror",
     "zonal_sinc",
     "zyz_matrix",

@@ -61,6 +61,14 @@ def basis(directions: Array, bands: int, *, mirrored: bool = False) -> Array:
     return out
 
 
+def spiral(count: int) -> Array:
+    """Return ``count`` unit vectors ``(count, 3)``, spread evenly over the sphere by the golden angle."""
+    k = np.arange(count) + 0.5
+    z, phi = 1.0 - 2.0 * k / count, np.pi * (1.0 + np.sqrt(5.0)) * k
+    flat = np.sqrt((1.0 - z) * (1.0 + z))
+    return np.stack([flat * np.cos(phi), flat * np.sin(phi), z], axis=-1)
+
+
 def evaluate(weights: NDArray[np.floating], directions: Array) -> Array:
     """Sum an SH expansion: ``weights`` of shape ``(..., N*N)`` at ``directions`` of shape ``(n, 3)`` -> ``(..., n)``."""
     return np.asarray(weights @ basis(directions, bands_of(weights)).T)

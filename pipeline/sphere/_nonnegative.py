@@ -8,7 +8,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.sphere._basis import basis
+from pipeline.sphere._basis import basis, spiral
 from pipeline.sphere._convolution import clamped_cosine, scale_degrees
 from pipeline.sphere._indexing import Index, bands_of, degrees_orders
 from pipeline.sphere._windows import laplacian_window
@@ -112,12 +112,7 @@ def _grid(bands: int) -> tuple[Array, Index, Array]:
     # Tables are evaluated with NumPy alone (pipeline.runtime), and this package is part of that.
     from scipy.spatial import cKDTree
 
-    size = max(200, 16 * bands * bands)
-    k = np.arange(size) + 0.5
-    z = 1 - 2 * k / size
-    phi = np.pi * (1 + np.sqrt(5)) * k
-    ring = np.sqrt(1 - z * z)
-    where = np.stack([ring * np.cos(phi), ring * np.sin(phi), z], axis=-1)
+    where = spiral(max(200, 16 * bands * bands))
     neighbours: Index = np.asarray(cKDTree(where).query(where, k=9)[1], dtype=np.int64)
     return where, neighbours[:, 1:], basis(where, bands)
 

@@ -25,9 +25,8 @@ _NODES = 96
 TEXT = (
     "The config's whole fit, all degrees, for every number of bands to 32: the largest per-set E_mean on random sets "
     "and corners, kept and evaluated in double and in single precision; and how far the ring rule and the sun-centred "
-    "rule are apart, two quadratures that share no node, relative to each set's largest weight. Nothing breaks: the "
-    "error grows slowly, since the weights of high bands are small; single precision adds what its rounding of the "
-    "large weights allows."
+    "rule are apart, two quadratures that share no node, relative to each set's largest weight. A band at which "
+    "something broke would show as a step."
 )
 
 

@@ -12,6 +12,7 @@ from pipeline.bench import trial
 from pipeline.bench.page import Row, Section
 from pipeline.bench.samples import Samples
 from pipeline.fit.bases import BASES
+from pipeline.fit.errors import e_mean
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -66,10 +67,7 @@ def _error(samples: Samples, made: trial.Trial, factor: Array, scheme: str, bits
             got = SCHEMES[scheme](got, u)
         weights = got.astype(np.float64) * factor[:, np.newaxis, np.newaxis]
         truth = samples.reference.weights
-        residual = weights - truth
-        root = np.sqrt((residual**2).sum(axis=-1)).max(axis=1)
-        l_min = next(iter(samples.reference.l_min.values()))
-        return float((root / l_min).max())
+        return e_mean(weights - truth, samples.reference.headline)
 
 
 def powers(coefficients: Floats, u: Floats) -> Floats:

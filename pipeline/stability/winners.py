@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from pipeline.bench import trial
 from pipeline.bench.page import Row, Section
 from pipeline.bench.samples import Samples, measured_at
-from pipeline.fit.errors import Reference
+from pipeline.fit.errors import Reference, e_mean
 from pipeline.table.measure import measure
 from pipeline.table.table import Table
 
@@ -67,16 +67,12 @@ def smoothness(samples: Samples, tables: Mapping[str, Table]) -> Section:
             dense = whole.dense[:, :count]
             exact = (whole.products(clamped) @ dense.reshape(dense.shape[0] * count, -1).T).reshape(got.shape) * factor
             l_min = _least(samples.reference, clamped)
-            error_step = max(error_step, _largest(np.diff(got - exact, axis=0), l_min[1:]))
-            value_step = max(value_step, _largest(np.diff(got, axis=0), l_min[1:]))
+            error_step = max(error_step, e_mean(np.diff(got - exact, axis=0), l_min[1:]))
+            value_step = max(value_step, e_mean(np.diff(got, axis=0), l_min[1:]))
             slopes = np.diff(got, axis=0) / np.degrees(step)
-            slope_step = max(slope_step, _largest(np.diff(slopes, axis=0), l_min[1:-1]))
+            slope_step = max(slope_step, e_mean(np.diff(slopes, axis=0), l_min[1:-1]))
         rows.append({"table": name, "error step": error_step, "value step": value_step, "slope step": slope_step})
     return Section("smoothness", "Smoothness along the sun's path", SMOOTH, rows)
-
-
-def _largest(change: Array, l_min: Array) -> float:
-    return float((np.sqrt((change**2).sum(axis=-1)).max(axis=1) / l_min).max())
 
 
 def _least(reference: Reference, values: Array) -> Array:
@@ -85,4 +81,4 @@ def _least(reference: Reference, values: Array) -> Array:
 
     spread = np.ptp(reference.parameters, axis=0)
     nearest = cKDTree(reference.parameters / spread).query(values / spread)[1]
-    return np.asarray(next(iter(reference.l_min.values()))[nearest])
+    return np.asarray(reference.headline[nearest])

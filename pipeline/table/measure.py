@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pipeline import sphere
-from pipeline.fit.errors import Reference, by_band
+from pipeline.fit.errors import Reference, by_band, e_mean
 from pipeline.table.table import Table
 
 Array = NDArray[np.float64]
@@ -55,11 +55,7 @@ def least_reconstructed(table: Table, parameters: Array, luminance_row: Array) -
 
     A fraction, below 0 where the expansion rings; directions are an even spiral of 2,000, sets ``(n, axes)``.
     """
-    k = np.arange(2000) + 0.5
-    z, phi = 1.0 - k / 1000.0, np.pi * (1.0 + 5.0**0.5) * k
-    flat = np.sqrt((1.0 - z) * (1.0 + z))
-    directions = np.stack([flat * np.cos(phi), flat * np.sin(phi), z], axis=-1)
-    basis = sphere.basis(directions, table.bands, mirrored=table.mirrored)
+    basis = sphere.basis(sphere.spiral(2000), table.bands, mirrored=table.mirrored)
     luminance = np.einsum("ncw,c->nw", table.evaluate(parameters).astype(np.float64), luminance_row) @ basis.T
     return float((luminance.min(axis=1) / luminance.max(axis=1)).min())
 
@@ -68,5 +64,4 @@ def headline(table: Table, reference: Reference) -> float:
     """Return the largest E_mean over all sets and channels under the first convention, over all the table's bands."""
     use = reference.first_bands(table.bands)
     residual = table.evaluate(reference.parameters).astype(np.float64) - reference.weights[..., use]
-    root = np.sqrt(np.einsum("ncw,ncw->nc", residual, residual))
-    return float((root / next(iter(reference.l_min.values()))[:, np.newaxis]).max())
+    return e_mean(residual, reference.headline)

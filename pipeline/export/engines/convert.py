@@ -46,7 +46,7 @@ def convert(weights: NDArray[np.floating], profile: Profile, *, axes: str | None
     for a number of bands or channels that the engine does not take, for bad axes, and for an exposure that is not a
     positive number.
     """
-    bands = round(weights.shape[-1] ** 0.5)
+    bands = sphere.bands_of(weights)
     bands_for(profile, bands, bands)
     if not (math.isfinite(exposure) and exposure > 0):
         raise ValueError(f"Invalid exposure {exposure}. Should be a finite number above 0; 1 leaves the light alone.")

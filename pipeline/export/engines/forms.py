@@ -21,7 +21,7 @@ def text(numbers: Array, profile: Profile) -> str:
     """Return one sky, ``(3, N*N)``, as the engine's text: JSON, or for lines the text of Filament's cmgen."""
     if profile.layout != "lines":
         return json.dumps(structure(numbers, profile))
-    degrees, orders = sphere.degrees_orders(round(numbers.shape[-1] ** 0.5))
+    degrees, orders = sphere.degrees_orders(sphere.bands_of(numbers))
     return "\n".join(
         f"({', '.join(f'{value:18.9g}' for value in triple)}); // L{l}{m}, irradiance, pre-scaled base"
         for triple, l, m in zip(numbers.T, degrees.tolist(), orders.tolist(), strict=True)

@@ -13,7 +13,7 @@ from pipeline import sphere
 from pipeline.config.schema import Config
 from pipeline.fit import solve
 from pipeline.fit.bases import BASES
-from pipeline.fit.errors import Reference, mean_luminance
+from pipeline.fit.errors import Reference, e_mean, mean_luminance
 from pipeline.run.executors import Advance, map_tasks
 from pipeline.run.plan import Inputs, Step
 from pipeline.run.stages.axes import axes_of, fit_nodes, variables
@@ -94,7 +94,7 @@ def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
         made = _monomials(sampled, matrices, "svd")
         # What its authors could see: the distance from their own samples. And what they could not: that from the truth.
         fitted = _evaluate(made, sets, degrees)
-        found["own"].append(_e_mean(fitted - sampled, least))
+        found["own"].append(e_mean(fitted - sampled, least))
         found["truth"].append(_from_truth(made, reference, degrees, bands))
         _, orders = sphere.degrees_orders(bands)
         norms = np.sqrt((sampled**2).sum(axis=(1, 2)))
@@ -160,8 +160,4 @@ def _from_truth(made: NDArray[np.floating], reference: Reference, degrees: list[
     truth = reference.weights[..., reference.first_bands(bands)]
     if truth.shape[-1] != bands * bands:
         truth = np.asarray(sphere.unmirror(truth, bands))
-    return _e_mean(_evaluate(made, reference.parameters, degrees) - truth, next(iter(reference.l_min.values())))
-
-
-def _e_mean(residual: Array, l_min: Array) -> float:
-    return float((np.sqrt((residual**2).sum(axis=-1)).max(axis=1) / l_min).max())
+    return e_mean(_evaluate(made, reference.parameters, degrees) - truth, reference.headline)

@@ -29,6 +29,7 @@ _PARTS = ("report", "scene", "axes", "files", "origins", "fit", "frame")
 _CODE = (
     "report",
     "light",
+    "probe",
     "sphere",
     "fit",
     "table",

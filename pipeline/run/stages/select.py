@@ -249,7 +249,7 @@ def _sampled(material: _Material, sets: Array, weights: Array, least: Array, ban
 def _both(material: _Material, bands: int) -> tuple[Sampled, Sampled]:
     """Return the fit grid and the verification sets in units of L_min."""
     reference = material.reference
-    l_min = next(iter(reference.l_min.values()))
+    l_min = reference.headline
     grid = _sampled(material, material.sets, material.weights, material.least, bands)
     return grid, _sampled(material, reference.parameters, reference.weights, l_min, bands)
 

@@ -26,7 +26,7 @@
  *
  * Provenance
  *   config preetham, table 4-bands-1.5pct-packed
- *   selection d6c14d739ac9fe859ec92188d8a20f7bdbd9f0fba9247ad289280662a29c59e7
+ *   selection cab9e5ffa3a6c8e02d4eb9052327a9206eb9f106bdf0210760d5dabb7e01e49b
  *   python 3.11.7, numpy 2.4.6, scipy 1.17.1, h5py 3.16.0, dask 2026.8.0
  *   x86_64: AVX512_ICL X86_V2 X86_V3 X86_V4
  */
