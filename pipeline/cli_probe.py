@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
-import numpy as np
 
 from pipeline.cli_tables import BadInputError, show_weights
 from pipeline.probe.layouts import LAYOUTS
@@ -17,21 +17,23 @@ if TYPE_CHECKING:
 
 @click.command()
 @click.argument("image", type=click.Path(path_type=Path))
-@click.option("--layout", type=click.Choice(LAYOUTS), required=True, help="How the picture covers the sphere.")
+@click.option(
+    "--layout", type=click.Choice(LAYOUTS), help="How the picture covers the sphere; if left out, by its proportions."
+)
 @click.option("--bands", type=int, required=True, help="SH bands, at least 1 and no more than the texels resolve.")
 @click.option(
     "--blur", type=float, default=0.0, show_default=True, help="Gaussian pre-filter, standard deviation in degrees."
 )
 @click.option("--linear", is_flag=True, help="Take whole-number pixels (PNG, JPEG) as linear, not as sRGB.")
 @click.option("--json", "as_json", is_flag=True, help="Print JSON instead of a table.")
-def project(image: Path, layout: Layout, bands: int, blur: float, linear: bool, as_json: bool) -> None:
+def project(image: Path, layout: Layout | None, bands: int, blur: float, linear: bool, as_json: bool) -> None:
     """Print the SH weights of captured light from IMAGE: OpenEXR, Radiance HDR, PNG, JPEG or TIFF.
 
     The picture is seen from inside: +x ahead, +z up, -y to the right. angular: a light probe, 1:1. cube-cross: 4:3, left,
     front, right, back, or 3:4 with the back below, upside down. cube-strip: right, left, up, down, front, back, 6:1 or 1:6.
     equirect: 2:1, +x in the middle.
 
-    Example: python -m pipeline project probe.exr --layout angular --bands 5 --blur 10
+    Example: python -m pipeline project probe.exr --bands 5 --blur 10
     """
     from pipeline import probe
     from pipeline.probe import files
@@ -43,7 +45,8 @@ def project(image: Path, layout: Layout, bands: int, blur: float, linear: bool, 
     except (ValueError, OSError) as error:
         raise BadInputError(str(error)) from error
     try:
-        weights = probe.blur(probe.project(picture.pixels, layout, bands), float(np.radians(blur)))
+        chosen = layout or probe.layout_of(*picture.pixels.shape[:2])
+        weights = probe.blur(probe.project(picture.pixels, chosen, bands), math.radians(blur))
     except ValueError as error:
         raise BadInputError(f"{image}: {error}") from error
     show_weights(weights, picture.channels, as_json=as_json)

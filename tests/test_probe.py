@@ -255,6 +255,18 @@ def test_bad_pixels_are_told_with_their_place(tmp_path: Path, value: float) -> N
     assert f"{value}. Should be a finite radiance of at least 0. Mend it" in told
 
 
+def test_the_layout_follows_from_the_proportions(tmp_path: Path) -> None:
+    for layout, shape in (("angular", (16, 16)), ("equirect", (16, 32)), ("cube-cross", (24, 32)), ("cube-strip", (8, 48))):
+        path = write(tmp_path / "p.exr", np.random.default_rng(4).random((*shape, 3)), "float")
+        told = invoke(str(path), "--layout", layout, "--bands", "3")
+        assert invoke(str(path), "--bands", "3") == told
+        assert told[0] == 0
+    code, _, refused = invoke(str(write(tmp_path / "p.exr", np.ones((16, 20, 3)), "float")), "--bands", "3")
+    assert code == 2
+    assert "Invalid size 20x16" in refused
+    assert "2:1 equirect" in refused
+
+
 def test_bad_pictures_and_options_exit_2_with_a_remedy(tmp_path: Path) -> None:
     noise = np.random.default_rng(4).random((16, 32, 3))
     good = write(tmp_path / "good.exr", noise, "float")

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import io
+
 import numpy as np
+import pandas as pd
 import pytest
 
 from pipeline import sphere
-from pipeline.report.ringing import ALBEDO, GROUNDS, LEAST, measure
+from pipeline.report.ringing import ALBEDO, GROUNDS, LEAST, csv, measure
 
 
 def test_a_cosine_is_negative_on_half_the_sphere() -> None:
@@ -22,6 +25,15 @@ def test_a_cosine_is_negative_on_half_the_sphere() -> None:
     sinc = found.windows.index("zonal sinc (eq. 5)")
     assert found.undershoot[black, sinc] == pytest.approx(np.sinc([1 / 2, 1 / 3]), abs=2e-3)
     assert found.undershoot[mirrored] == pytest.approx(0, abs=1e-9)
+
+
+def test_the_study_is_told_in_numbers() -> None:
+    found = measure(np.ones((1, 9)), np.array([1.0]), (2, 3))
+    table = pd.read_csv(io.BytesIO(csv(found)))
+    assert list(table.columns) == ["ground", "window", "bands", "undershoot", "negative_area", "peak_change"]
+    assert len(table) == len(GROUNDS) * len(found.windows) * 2
+    row = table[(table.ground == "mirrored sky") & (table.window == "Hann") & (table.bands == 3)]
+    assert row.undershoot.item() == pytest.approx(found.undershoot[2, 3, 1], rel=1e-3, abs=1e-9)
 
 
 def test_windows_and_grounds_keep_their_promises() -> None:

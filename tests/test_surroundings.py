@@ -166,6 +166,21 @@ lights = [
     assert found["east"][1] == pytest.approx(found["east"][0], abs=0.1 * 1e4)
 
 
+def test_captured_light_is_added(tmp_path: Path) -> None:
+    """A picture that is 1 + x everywhere, as the sky of a dark one would be."""
+    patch = patches("angular", 64, 64)[0]
+    u, v = (edges[1:] / 2 + edges[:-1] / 2 for edges in patch.edges())
+    picture(tmp_path / "p.exr", 1 + patch.chart.directions(*np.meshgrid(u, v))[..., 0])
+    scene = 'lights = [{ kind = "probe", image = "p.exr", layout = "angular", brightness = 3000.0, blur = 0.5 }]'
+    lit = runtime.load(run_quietly(config_of(tmp_path, scene), tmp_path).folder / "export" / "skylight_sh.npz")
+    plain = runtime.load(run_quietly(config_of(tmp_path, ""), tmp_path).folder / "export" / "skylight_sh.npz")
+    expected = constant(3000.0)
+    expected[3] = 3000.0 * np.sqrt(4 * np.pi / 3) * np.exp(-(0.5**2))
+    for azimuth in (0.0, 2.0):
+        added = lit.weights(0.8, azimuth, 3.3).astype(np.float64) - plain.weights(0.8, azimuth, 3.3)
+        assert np.abs(added - expected).max() < 2e-3 * 3000
+
+
 def test_the_picture_decides_the_key(tmp_path: Path) -> None:
     clouds = 'clouds = { image = "c.png", layout = "angular", colour = [1.0, 1.0, 1.0] }'
     keys = []
@@ -216,6 +231,11 @@ def test_the_picture_decides_the_key(tmp_path: Path) -> None:
         ('clouds = { image = "nan.exr", layout = "angular", colour = [1.0, 1.0, 1.0] }', r"clouds\.image.*nan at row 3"),
         ('clouds = { image = "c.png", layout = "equirect", colour = [1.0, 1.0, 1.0] }', r"clouds\.image.*2:1"),
         ('clouds = { image = "tiny.png", layout = "angular", colour = [1.0, 1.0, 1.0] }', r"clouds\.image.*larger picture"),
+        (
+            'lights = [{ kind = "probe", image = "nan.exr", layout = "angular" }]',
+            r"lights\[0\]\.image.*Invalid pixel at row 3",
+        ),
+        ('lights = [{ kind = "probe", image = "c.png", layout = "cube-strip" }]', r"lights\[0\]\.image.*6:1"),
         ('clouds = { image = "c.png", layout = "angular", colour = [1.0] }', r"clouds\.colour.*red, green, blue"),
     ],
 )

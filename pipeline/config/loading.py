@@ -12,7 +12,7 @@ from typing import Any
 from pydantic import ValidationError
 
 from pipeline.config import extending, problems, sun
-from pipeline.config.problems import Problem
+from pipeline.config.problem import Problem
 from pipeline.config.schema import Config
 
 

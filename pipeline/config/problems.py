@@ -5,15 +5,12 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 
+from pipeline.config import surroundings_problems
 from pipeline.config.names import table_names
+from pipeline.config.problem import Problem
 from pipeline.config.schema import AxisSection, Config
-from pipeline.config.surroundings import CloudsSection, colour, weights
-from pipeline.light import PREFACTORS, MissingExtraError, Preetham, spherical
-from pipeline.probe import files
-from pipeline.probe.layouts import most_bands, patches
-from pipeline.table.surroundings import mask_bands
+from pipeline.light import PREFACTORS, Preetham
 
 _NAME = re.compile(r"[a-z][a-z0-9_]{1,31}")
 # Names of the header's own, and of the store's dimensions.
@@ -44,23 +41,11 @@ _PACKED_DEGREE = 30
 _MOST_SETS = 300_000
 
 
-@dataclass(frozen=True)
-class Problem:
-    """One thing wrong: the field's path, its value, what is allowed and how to mend it."""
-
-    path: str
-    value: object
-    remedy: str
-
-    def __str__(self) -> str:
-        return f"{self.path} = {self.value!r}: {self.remedy}"
-
-
 def find(config: Config) -> list[Problem]:
     """Return every problem of a config that satisfies the schema."""
     return [
         *_scene(config),
-        *_surroundings(config),
+        *surroundings_problems.find(config),
         *_axes(config),
         *_fit(config),
         *_winners(config),
@@ -96,53 +81,6 @@ def _scene(config: Config) -> Iterator[Problem]:
     fewest = min((config.truth.bands, *(winner.bands for winner in config.winners if config.scene.masked)))
     if not isinstance(ground, str) and fewest < 2:
         yield Problem("$.scene.ground", list(ground), "A lit ground needs at least 2 bands.")
-
-
-def _surroundings(config: Config) -> Iterator[Problem]:
-    scene, channels = config.scene, len(config.source.channels)
-    if scene.masked and scene.quantity == "irradiance":
-        remedy = 'What hides the sky acts on its radiance. Use "radiance", and take irradiance from the weights.'
-        yield Problem("$.scene.quantity", scene.quantity, remedy)
-    if scene.surrounded and scene.window:
-        yield Problem("$.scene.window", True, "A window comes after the surroundings. Use false, and window at run time.")
-    if scene.horizon and scene.ground == "mirror":
-        yield Problem("$.scene.ground", "mirror", "A skyline hides it. Use black, or one albedo a channel.")
-    coloured = [(f"$.scene.lights[{i}]", colour(light)) for i, light in enumerate(scene.lights)]
-    coloured += [("$.scene.clouds.colour", scene.clouds.colour)] if scene.clouds else []
-    for path, numbers in coloured:
-        if len(numbers) != channels:
-            yield Problem(
-                path, list(numbers), f"Give one number for each of the channels {', '.join(config.source.channels)}."
-            )
-    for i, light in enumerate(scene.lights):
-        try:
-            weights(light, 1)
-        except ValueError as error:
-            yield Problem(f"$.scene.lights[{i}]", light.kind, str(error))
-    for i, occluder in enumerate(scene.occluders):
-        try:
-            spherical.half_angles(occluder.centre, occluder.radius)
-        except ValueError as error:
-            yield Problem(f"$.scene.occluders[{i}]", list(occluder.centre), str(error))
-    if scene.clouds:
-        yield from _clouds(config, scene.clouds)
-
-
-def _clouds(config: Config, clouds: CloudsSection) -> Iterator[Problem]:
-    path = "$.scene.clouds.image"
-    place = config.folder / clouds.image
-    if not place.resolve().is_relative_to(config.folder.resolve()):
-        yield Problem(path, clouds.image, "Leaves the config's folder. Put the picture beside the config, or below.")
-        return
-    try:
-        opacity = files.read_mask(place)
-        most = most_bands(patches(clouds.layout, *opacity.shape[:2]))
-    except (ValueError, OSError, MissingExtraError) as error:
-        yield Problem(path, clouds.image, str(error))
-        return
-    needed = mask_bands(max((winner.bands for winner in config.winners), default=1))
-    if most < needed:
-        yield Problem(path, clouds.image, f"Resolves {most} bands; the winners need {needed}. Take a larger picture.")
 
 
 def _axes(config: Config) -> Iterator[Problem]:

@@ -187,7 +187,7 @@ class SceneSection(Section):
     clouds: CloudsSection | None = Field(None, description="clouds before the sky")
     occluders: tuple[OccluderSection, ...] = Field((), description="black spheres before everything but the lights")
     lights: tuple[Annotated[LightSection, Field(discriminator="kind")], ...] = Field(
-        (), description="lights that never move: kind = sphere, disc, point, spot or directional"
+        (), description="lights that never move: kind = sphere, disc, point, spot, directional or probe"
     )
     window: bool = Field(False, description="fold the zonal window of eq. 5 into the weights")
     fixed: dict[str, float] = Field({}, description="parameters that never change, e.g. { turbidity = 3.0 }")

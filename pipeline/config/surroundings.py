@@ -85,18 +85,29 @@ class DirectionalLight(Section):
     illuminance: Colour = Field(description="lx on a surface that faces it, a number for each channel")
 
 
-LightSection = SphereLight | DiscLight | PointLight | SpotLight | DirectionalLight
+class ProbeLight(Section):
+    """Captured light: a picture of all directions, linear as a file of floats, or decoded from sRGB."""
+
+    kind: Literal["probe"]
+    image: str = Field(min_length=1, description="path of a picture from the config's folder, in it or below")
+    layout: Layout = Field(description="how the picture covers the sphere: angular, cube-cross, cube-strip or equirect")
+    brightness: float = Field(1.0, ge=0.0, le=1e12, description="cd/m2 of a pixel of value 1")
+    blur: float = Field(0.0, ge=0.0, le=float(np.pi), description="Gaussian pre-filter, standard deviation in radians")
 
 
-def colour(light: LightSection) -> tuple[float, ...]:
-    """Return a light's numbers, one for each channel."""
+LampSection = SphereLight | DiscLight | PointLight | SpotLight | DirectionalLight
+LightSection = LampSection | ProbeLight
+
+
+def colour(light: LampSection) -> tuple[float, ...]:
+    """Return a lamp's numbers, one for each channel."""
     if isinstance(light, SphereLight | DiscLight):
         return light.radiance
     return light.illuminance if isinstance(light, DirectionalLight) else light.intensity
 
 
-def weights(light: LightSection, bands: int) -> Array:
-    """Return the SH weights ``(channels, N*N)`` of a light at the origin. Raises ValueError for one that cannot be."""
+def weights(light: LampSection, bands: int) -> Array:
+    """Return the SH weights ``(channels, N*N)`` of a lamp at the origin. Raises ValueError for one that cannot be."""
     match light:
         case SphereLight():
             shape = spherical.spheres(light.centre, light.radius, bands)

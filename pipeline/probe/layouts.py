@@ -83,6 +83,18 @@ def patches(layout: Layout, height: int, width: int) -> list[Patch]:
     )
 
 
+def layout_of(height: int, width: int) -> Layout:
+    """Return the one layout that has a picture's proportions. Raises ValueError where none has."""
+    for layout in LAYOUTS:
+        try:
+            patches(layout, height, width)
+        except ValueError:
+            continue
+        return layout
+    known = "; ".join(f"{shape} {layout}" for layout, shape in _SHAPES.items())
+    raise ValueError(f"Invalid size {width}x{height} (width x height). Should have the proportions of a layout: {known}.")
+
+
 def most_bands(found: list[Patch]) -> int:
     """Return the most bands that a picture's texels resolve: one a texel over half a turn, and 100 at most.
 

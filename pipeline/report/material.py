@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from pipeline.fit.axes import Axis
 from pipeline.light.protocol import Light
+from pipeline.report.ringing import Study
 from pipeline.table.table import Table
 
 Array = NDArray[np.float64]
@@ -65,7 +66,8 @@ class Material:
     """What pictures and page are made of.
 
     ``sample`` gives a set's true weights ``(channels, count)``; ``fronts`` the Pareto front of bytes and E_mean,
-    ``(points, 2)``, for each number of bands and layout; ``origins`` what the stage of that name found, if it ran.
+    ``(points, 2)``, for each number of bands and layout; ``origins`` what the stage of that name found, if it ran;
+    ``ringing`` the study behind the picture ``gibbs``, if it is wanted.
     """
 
     name: str
@@ -90,6 +92,7 @@ class Material:
     environment: Mapping[str, Any]
     keys: Mapping[str, str]
     rule: Mapping[str, Any]
+    ringing: Study | None = None
 
     @property
     def best(self) -> Entry:

@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
+import pandas as pd
 from numpy.typing import NDArray
 
 from pipeline import sphere
 from pipeline.report import panorama
+
+if TYPE_CHECKING:
+    from pipeline.report.material import Material
 
 Array = NDArray[np.float64]
 
@@ -20,6 +26,8 @@ GROUNDS: dict[str, Callable[[Array, int], Array]] = {
     "mirrored sky": sphere.mirror_ground,
 }
 LEAST = "least non-negative"
+# Sets in all, about; evenly spaced along each axis, both edges among them.
+_SETS = 49
 
 
 @dataclass(frozen=True)
@@ -37,6 +45,51 @@ class Ringing:
     area: Array
     peak: Array
     worst: NDArray[np.int64]
+
+
+@dataclass(frozen=True)
+class Study:
+    """Ringing of a light over its whole domain.
+
+    ``sets`` ``(n, axes)``, their luminance ``weights`` ``(n, N*N)``, the sky's ``brightest`` luminance ``(n,)``, and what
+    was ``found``.
+    """
+
+    sets: Array
+    weights: Array
+    brightest: Array
+    found: Ringing
+
+
+def study(material: Material) -> Study | None:
+    """Measure 3 to 10 bands at evenly spaced sets of parameters, edges among them.
+
+    None for fewer bands, and where weights are windowed, lit from below, hold a sun or are no radiance.
+    """
+    table = material.best.table
+    bands = tuple(range(3, min(material.bands, 10) + 1))
+    if table.windowed or table.quantity != "radiance" or table.ground != "black" or table.sun_disc or not bands:
+        return None
+    row = material.light.luminance_row
+    each = round(_SETS ** (1 / len(material.axes)))
+    sets = np.array(list(itertools.product(*(np.linspace(axis.low, axis.high, each) for axis in material.axes))))
+    weights = np.stack([_luminance(material, values, row) for values in sets])
+    names = tuple(axis.name for axis in material.axes)
+    brightest = np.array([(panorama.sky(material.light, values, names) @ row).max() for values in sets])
+    return Study(sets, weights, brightest, measure(weights, brightest, bands))
+
+
+def csv(found: Ringing) -> bytes:
+    """Return one row a ground, window and number of bands; fractions, to four significant digits."""
+    index = pd.MultiIndex.from_product((GROUNDS, found.windows, found.bands), names=("ground", "window", "bands"))
+    columns = {"undershoot": found.undershoot, "negative_area": found.area, "peak_change": found.peak}
+    frame = pd.DataFrame({name: values.ravel() for name, values in columns.items()}, index=index)
+    return frame.to_csv(float_format="%.4g", lineterminator="\n").encode()
+
+
+def _luminance(material: Material, values: Array, row: Array) -> Array:
+    weights = row @ material.sample(values)
+    return np.asarray(sphere.unmirror(weights, material.bands) if material.mirrored else weights, dtype=np.float64)
 
 
 def windows(bands: int) -> dict[str, Array]:

@@ -2,63 +2,44 @@
 
 from __future__ import annotations
 
-import itertools
-
 import numpy as np
 from matplotlib.colors import SymLogNorm
 from matplotlib.figure import Figure, SubFigure
 from numpy.typing import NDArray
 
-from pipeline import sphere
 from pipeline.report import panorama, style
 from pipeline.report.material import Material
-from pipeline.report.ringing import GROUNDS, Ringing, least_window, measure, windows
+from pipeline.report.ringing import GROUNDS, Ringing, least_window, windows
 
 Array = NDArray[np.float64]
 
-# Sets in all, about; evenly spaced along each axis, both edges among them.
-_SETS = 49
 _TICKS = (-1.0, -0.3, -0.1, -0.03, 0.0, 0.03, 0.1, 0.3, 1.0)
 CAPTION = (
     "True luminance expansions cut to so many bands, at about 49 evenly spaced sets of parameters, edges included. First "
     "row: the most negative value of any set and direction; second: the largest part of the sphere that is negative; third: "
     "by how much the brightest value differs from the sky's own, mean over sets (a smooth expansion cannot hold the sun's "
     "halo). The least non-negative window is that of the set that rings most, at that set. Below: that set in the bands of "
-    "the recommended table; negative light is purple; the scale is logarithmic beyond 3 %."
+    "the recommended table; negative light is purple; the scale is logarithmic beyond 3 %. All numbers: ringing.csv."
 )
 
 
 def draw(material: Material) -> Figure | None:
-    """Draw the study; None for fewer than 3 bands, and where weights are windowed, lit from below, or no radiance."""
-    table = material.best.table
-    if table.windowed or table.quantity != "radiance" or table.ground != "black" or table.sun_disc:
+    """Draw the study; None where there is none."""
+    study = material.ringing
+    if study is None:
         return None
-    bands = tuple(range(3, min(material.bands, 10) + 1))
-    if not bands:
-        return None
-    row = material.light.luminance_row
-    each = round(_SETS ** (1 / len(material.axes)))
-    sets = np.array(list(itertools.product(*(np.linspace(axis.low, axis.high, each) for axis in material.axes))))
-    weights = np.stack([_luminance(material, values, row) for values in sets])
-    names = tuple(axis.name for axis in material.axes)
-    brightest = np.array([(panorama.sky(material.light, values, names) @ row).max() for values in sets])
-    found = measure(weights, brightest, bands)
     figure = style.figure(12, 13)
     # So many panels take a second to be laid out by constraint.
     figure.set_layout_engine("none")
     grid = figure.add_gridspec(2, 1, height_ratios=(2, 1))
     above, below = figure.add_subfigure(grid[0]), figure.add_subfigure(grid[1])
-    _curves(above, found)
-    shown = min(max(table.bands, bands[0]), bands[-1])
-    worst = int(found.worst[0, bands.index(shown)])
-    below.suptitle(f"{shown} bands, {material.describe(sets[worst])}", fontsize=10)
-    _panoramas(below, weights[worst, : shown * shown], float(brightest[worst]), shown)
+    _curves(above, study.found)
+    bands = study.found.bands
+    shown = min(max(material.best.table.bands, bands[0]), bands[-1])
+    worst = int(study.found.worst[0, bands.index(shown)])
+    below.suptitle(f"{shown} bands, {material.describe(study.sets[worst])}", fontsize=10)
+    _panoramas(below, study.weights[worst, : shown * shown], float(study.brightest[worst]), shown)
     return figure
-
-
-def _luminance(material: Material, values: Array, row: Array) -> Array:
-    weights = row @ material.sample(values)
-    return np.asarray(sphere.unmirror(weights, material.bands) if material.mirrored else weights, dtype=np.float64)
 
 
 def _curves(figure: SubFigure, found: Ringing) -> None:

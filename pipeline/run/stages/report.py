@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -51,12 +52,15 @@ def steps(config: Config) -> list[Step]:
 
 def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
     # Drawing libraries take longer to import than a cached run takes.
-    from pipeline.report import errors, page, style
+    from pipeline.report import errors, page, ringing, style
     from pipeline.report.figures import PICTURES
 
     material = _material(config, inputs)
     wanted = [name for name in PICTURES if name in config.report.figures]
     files = {"errors.csv": errors.csv(material)}
+    if "gibbs" in wanted:
+        material = replace(material, ringing=ringing.study(material))
+        files |= {"ringing.csv": ringing.csv(material.ringing.found)} if material.ringing else {}
     shown = []
     for done, name in enumerate(wanted):
         advance(done, len(wanted))

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from pipeline import probe, sphere
 from pipeline.config.schema import Config
-from pipeline.config.surroundings import weights
+from pipeline.config.surroundings import LightSection, ProbeLight, weights
 from pipeline.light import spherical
 from pipeline.probe import files
 from pipeline.run.executors import Advance
@@ -27,11 +27,12 @@ def steps(config: Config) -> list[Step]:
     """Return the step; nothing where nothing surrounds the scene."""
     if not config.scene.surrounded:
         return []
-    clouds = config.scene.clouds
-    picture = hashlib.sha256((config.folder / clouds.image).read_bytes()).hexdigest() if clouds else ""
+    scene = config.scene
+    pictures = [light.image for light in scene.lights if isinstance(light, ProbeLight)]
+    pictures += [scene.clouds.image] if scene.clouds else []
     parameters = {
-        "scene": config.scene.model_dump(mode="json"),
-        "picture": picture,
+        "scene": scene.model_dump(mode="json"),
+        "pictures": [hashlib.sha256((config.folder / image).read_bytes()).hexdigest() for image in pictures],
         "bands": _bands(config),
         "channels": config.source.channels,
     }
@@ -52,7 +53,7 @@ def _make(config: Config, _: Inputs, advance: Advance) -> Dataset:
             if scene.occluders
             else None
         )
-        lights = sum((weights(light, bands) for light in scene.lights), start=np.zeros(()))
+        lights = sum((_light(config, light, bands) for light in scene.lights), start=np.zeros(()))
         if scene.lights and scene.quantity == "irradiance":
             lights = sphere.scale_degrees(lights, sphere.clamped_cosine(bands))
         built = build(
@@ -68,6 +69,16 @@ def _make(config: Config, _: Inputs, advance: Advance) -> Dataset:
             dims = tuple(f"{part}_{bands}_{axis}" for axis in range(array.ndim))
             found[f"{part}/{bands}"] = Variable(dims, array)
     return Dataset(found, {})
+
+
+def _light(config: Config, light: LightSection, bands: int) -> Array:
+    """Return the SH weights of a lamp or of captured light, ``(channels, N*N)``."""
+    if not isinstance(light, ProbeLight):
+        return weights(light, bands)
+    pixels = files.read(config.folder / light.image).pixels
+    captured = probe.blur(probe.project(pixels, light.layout, bands), light.blur)
+    # A grey picture is given to all channels.
+    return np.broadcast_to(light.brightness * captured, (len(config.source.channels), bands * bands))
 
 
 def _opacity(config: Config, bands: int) -> Array:

@@ -1,0 +1,84 @@
+"""What the schema cannot see of a scene's surroundings: whether they fit the light, each other, and their pictures."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from pipeline.config.problem import Problem
+from pipeline.config.schema import Config
+from pipeline.config.surroundings import CloudsSection, LightSection, ProbeLight, colour, weights
+from pipeline.light import MissingExtraError, spherical
+from pipeline.probe import files, project
+from pipeline.probe.layouts import most_bands, patches
+from pipeline.table.surroundings import mask_bands
+
+_RGB = ("red", "green", "blue")
+
+
+def find(config: Config) -> Iterator[Problem]:
+    """Yield every problem."""
+    yield from _together(config)
+    yield from _spheres_and_lamps(config)
+    most = max((winner.bands for winner in config.winners), default=1)
+    if config.scene.clouds:
+        yield from _picture(config, "$.scene.clouds.image", config.scene.clouds, mask_bands(most))
+    for path, light in _lights(config):
+        if isinstance(light, ProbeLight):
+            yield from _picture(config, f"{path}.image", light, most)
+
+
+def _lights(config: Config) -> list[tuple[str, LightSection]]:
+    return [(f"$.scene.lights[{i}]", light) for i, light in enumerate(config.scene.lights)]
+
+
+def _together(config: Config) -> Iterator[Problem]:
+    """Yield what does not go together, or not with the light."""
+    scene, names = config.scene, config.source.channels
+    if scene.masked and scene.quantity == "irradiance":
+        remedy = 'What hides the sky acts on its radiance. Use "radiance", and take irradiance from the weights.'
+        yield Problem("$.scene.quantity", scene.quantity, remedy)
+    if scene.surrounded and scene.window:
+        yield Problem("$.scene.window", True, "A window comes after the surroundings. Use false, and window at run time.")
+    if scene.horizon and scene.ground == "mirror":
+        yield Problem("$.scene.ground", "mirror", "A skyline hides it. Use black, or one albedo a channel.")
+    coloured = [(path, colour(light)) for path, light in _lights(config) if not isinstance(light, ProbeLight)]
+    coloured += [("$.scene.clouds.colour", scene.clouds.colour)] if scene.clouds else []
+    for path, numbers in coloured:
+        if len(numbers) != len(names):
+            yield Problem(path, list(numbers), f"Give one number for each of the channels {', '.join(names)}.")
+    for path, light in _lights(config):
+        if isinstance(light, ProbeLight) and (names != _RGB or getattr(config.light, "colour_space", "srgb") != "srgb"):
+            remedy = "A picture is in linear sRGB. Use a light of red, green and blue in that space."
+            yield Problem(f"{path}.image", light.image, remedy)
+
+
+def _spheres_and_lamps(config: Config) -> Iterator[Problem]:
+    """Yield what cannot be seen from the origin."""
+    for path, light in _lights(config):
+        try:
+            if not isinstance(light, ProbeLight):
+                weights(light, 1)
+        except ValueError as error:
+            yield Problem(path, light.kind, str(error))
+    for i, occluder in enumerate(config.scene.occluders):
+        try:
+            spherical.half_angles(occluder.centre, occluder.radius)
+        except ValueError as error:
+            yield Problem(f"$.scene.occluders[{i}]", list(occluder.centre), str(error))
+
+
+def _picture(config: Config, path: str, section: CloudsSection | ProbeLight, needed: int) -> Iterator[Problem]:
+    place = config.folder / section.image
+    if not place.resolve().is_relative_to(config.folder.resolve()):
+        yield Problem(path, section.image, "Leaves the config's folder. Put the picture beside the config, or below.")
+        return
+    try:
+        pixels = files.read_mask(place) if isinstance(section, CloudsSection) else files.read(place).pixels
+        most = most_bands(patches(section.layout, *pixels.shape[:2]))
+        if isinstance(section, ProbeLight):
+            project(pixels, section.layout, 1)
+    except (ValueError, OSError, MissingExtraError) as error:
+        yield Problem(path, section.image, str(error))
+        return
+    if most < needed:
+        yield Problem(path, section.image, f"Resolves {most} bands; the winners need {needed}. Take a larger picture.")
