@@ -104,7 +104,8 @@ def evaluate(
     type=click.Choice(["skip", "zero"]),
     default="skip",
     show_default=True,
-    help="Leave out the times with the sun below the horizon (12 degrees for a table with twilight), or write zeros.",
+    help="Leave out the times with the sun below the horizon (with twilight: 12 degrees below it), or write zeros and what "
+    "lamps of the scene give.",
 )
 @_AT
 @_TURBIDITY

@@ -177,9 +177,10 @@ def test_the_fuzzer_finds_a_limit_that_is_one_float_off(tmp_path: Path, monkeypa
     assert "promises 1 broken" in text
 
 
-def test_the_export_publishes_vectors_where_asked(tmp_path: Path) -> None:
+@pytest.mark.parametrize("scene", ["", "[scene]\nazimuth = 0.7\n"])
+def test_the_export_publishes_vectors_where_asked(tmp_path: Path, scene: str) -> None:
     asked = '[export]\ntargets = ["c", "npz", "vectors"]\nprefix = "day_sh"'
-    text = SMALL.read_text(encoding="utf-8").replace("[export]", asked)
+    text = SMALL.read_text(encoding="utf-8").replace("[export]", f"{scene}{asked}")
     (tmp_path / "asked.toml").write_text(text, encoding="utf-8")
     result = run_quietly(load(tmp_path / "asked.toml"), tmp_path)
     for row in result.summary["tables"]:

@@ -10,6 +10,7 @@ from conftest import SMALL
 from test_cli import invoke
 
 from pipeline.config import ConfigError, load
+from pipeline.run.provenance import settings
 
 
 @pytest.fixture
@@ -50,6 +51,41 @@ figures = []
     assert again.axes == own.axes
 
 
+def test_what_is_taken_away(folder: Path) -> None:
+    text = """
+extends = "small.toml"
+name = "own"
+[fit]
+references = []
+[scene]
+fixed = { turbidity = 3.0 }
+[[winners]]
+bands = 4
+budgets = [0.01]
+[[report.cases]]
+title = "Low"
+at = { sun_zenith = 1.5 }
+"""
+    own = load(extend(folder, text))
+    assert own.fit.references == ()
+    assert [axis.name for axis in own.axes] == ["sun_zenith"]
+    # Another light takes none of the base's options.
+    (folder / "smits.toml").write_text(
+        (folder / "small.toml").read_text(encoding="utf-8").replace('"preetham"', '"preetham"\nconstants = "smits"'),
+        encoding="utf-8",
+    )
+    other = 'extends = "smits.toml"\nname = "other"\n[light]\nmodel = "cie_general"\nsky = 3\n'
+    with pytest.raises(ConfigError) as caught:
+        load(extend(folder, other))
+    assert "constants" not in str(caught.value)
+    assert "turbidity" in str(caught.value)
+
+
+def test_the_same_config_written_out_is_the_same(folder: Path) -> None:
+    extended = load(extend(folder, 'extends = "small.toml"\nname = "small"\n'))
+    assert settings(extended) == settings(load(folder / "small.toml"))
+
+
 def test_what_is_wrong_is_told_of_the_whole(folder: Path) -> None:
     path = extend(folder, 'extends = "small.toml"\nname = "own"\n[truth]\nbands = 3\n')
     with pytest.raises(ConfigError, match=r"own\.toml has .* problem.*\n.*\$\.winners\[0\]\.bands = 4"):
@@ -60,6 +96,7 @@ def test_what_is_wrong_is_told_of_the_whole(folder: Path) -> None:
     ("text", "message"),
     [
         ('extends = "../small.toml"', r"extends = '\.\./small\.toml' leaves the config's folder"),
+        ('extends = "below/small.toml"', "leaves the config's folder"),
         ('extends = "none.toml"', r"none\.toml cannot be read"),
         ('extends = "own.toml"', "in a circle"),
         ("extends = 3", r"\$\.extends = 3"),
@@ -70,6 +107,11 @@ def test_a_base_that_cannot_be_is_refused(folder: Path, text: str, message: str)
     below.mkdir()
     with pytest.raises(ConfigError, match=message):
         load(extend(below, f'{text}\nname = "own"\n'))
+
+
+def test_a_config_that_extends_has_its_own_name(folder: Path) -> None:
+    with pytest.raises(ConfigError, match="name is missing"):
+        load(extend(folder, 'extends = "small.toml"\n'))
 
 
 def test_a_broken_base_is_named(folder: Path) -> None:

@@ -14,11 +14,15 @@ from numpy.typing import NDArray
 from test_export import STRICT
 
 from pipeline import runtime, sphere
+from pipeline.bench.exported import exported
+from pipeline.bench.samples import sample
 from pipeline.config import Config, ConfigError, load, parse
 from pipeline.config.sun import zenith_range
 from pipeline.run.runner import Result
 from pipeline.run.stages import origins
+from pipeline.stability import edges
 from pipeline.store.store import Store
+from pipeline.table.measure import headline
 
 Array = NDArray[np.float64]
 TEXT = SMALL.read_text(encoding="utf-8").replace('layouts = ["rows", "packed"]\n', "").replace("[0.05, 0.01]", "[0.01]")
@@ -194,6 +198,17 @@ def test_ground_is_folded_and_lessens_ringing(tmp_path: Path, plain: runtime.Run
     assert least > -0.12
     header = (result.folder / "export" / "skylight_sh.h").read_text(encoding="utf-8")
     assert ("mirror image" if "mirror" in ground else "albedo 0.1, 0.2, 0.3") in header
+
+
+@pytest.mark.parametrize("scene", ["ground = [0.1, 0.2, 0.3]", 'quantity = "irradiance"', "twilight = true"])
+def test_benchmarks_and_stresses_measure_the_scene(tmp_path: Path, scene: str) -> None:
+    config = config_of(tmp_path, scene)
+    result = run_quietly(config, tmp_path)
+    tables, published = exported(result.folder)
+    name = config.export.recommended
+    samples = sample(config, 4, random=100, like=tables[name])
+    assert headline(tables[name], samples.reference) == pytest.approx(published[name], rel=0.5)
+    assert all(row["holds"] == "yes" for row in edges._outside(config, tables[name]))  # the whole section takes long
 
 
 PROGRAM = """

@@ -89,8 +89,9 @@ def test_a_skyline_hides_what_its_integral_says() -> None:
 
 def test_opaque_clouds_and_the_ground_below() -> None:
     colour, albedo = np.array([3.0, 2.0, 1.0]), [0.1, 0.2, 0.3]
-    opaque = build(BANDS, clouds=(constant(1.0, WIDE), colour)).apply(SKY, BANDS)
-    assert np.abs(opaque - np.multiply.outer(colour, constant(1.0))).max() < 1e-13
+    upper = np.where(sphere.degrees_orders(BANDS)[1] == 0, sphere.cap(np.pi / 2, BANDS)[sphere.degrees_orders(BANDS)[0]], 0)
+    # Clouds end on the horizon, whatever the picture shows below it.
+    assert np.abs(build(BANDS, clouds=(constant(1.0, WIDE), colour)).own - np.multiply.outer(colour, upper)).max() < 1e-12
     # Through clouds that are not there, the ground is that of ``add_ground``.
     lit = build(BANDS, clouds=(np.zeros(WIDE * WIDE), colour), albedo=albedo).apply(SKY, BANDS)
     assert np.abs(lit - sphere.add_ground(SKY, albedo, BANDS)).max() < 1e-13
@@ -107,6 +108,25 @@ def test_opaque_clouds_and_the_ground_below() -> None:
     )
     with pytest.raises(ValueError, match="two bands"):
         build(1, skyline=(0.1,), albedo=albedo)
+
+
+@pytest.mark.parametrize("height", [4.0, -4.0])
+def test_lamps_do_not_light_the_ground(height: float) -> None:
+    """With a speck that hides nothing and without: the sky's ground, and the lamp."""
+    lamp = np.multiply.outer([7.0, 8.0, 9.0], spherical.spheres([0.0, 1.0, height], 0.5, BANDS))
+    speck = spherical.half_angles([[0.0, 0.0, 9e6]], [1e-3])
+    masked = build(BANDS, occluders=speck, albedo=[0.5] * 3, lights=lamp).apply(SKY, BANDS)
+    assert np.abs(masked - (sphere.add_ground(SKY, [0.5] * 3, BANDS) + lamp)).max() < 1e-12
+
+
+def test_the_gain_bounds_how_errors_grow() -> None:
+    around = build(BANDS, skyline=(0.3, 0.1, 0.2), albedo=[0.2, 0.9, 0.5], lights=np.ones((3, 16)))
+    errors = RNG.normal(size=(2000, 3, 16))
+    grown = around.apply(errors, BANDS) - around.apply(np.zeros((3, 16)), BANDS)
+    ratio = np.linalg.norm(grown, axis=-1) / np.linalg.norm(errors, axis=-1)
+    assert ratio.max() < around.gain
+    bright = around.transfer + np.outer(around.below[1], around.transfer[2])
+    assert around.gain == pytest.approx(np.linalg.svd(bright)[1][0])
 
 
 def test_fewer_bands_are_the_first_ones() -> None:
@@ -134,6 +154,7 @@ def test_a_run_hides_shines_and_turns(tmp_path: Path) -> None:
     # 0.5 (1 - x) times 0.5, and x is a multiple of y_11.
     weights = constant(0.25, 2)
     weights[3] = -0.25 * np.sqrt(4 * np.pi / 3)
+    weights = sphere.product(sphere.horizon(0.0, WIDE), weights, WIDE)
     shone = np.multiply.outer([9000.0, 8000.0, 7000.0], spherical.spheres([0.0, 3.0, 4.0], 1.0, BANDS))
     for azimuth in (0.3, 2.0, -1.0):
         sky = plain.weights(0.8, azimuth, 3.3).astype(np.float64)
@@ -201,7 +222,24 @@ def test_the_picture_decides_the_key(tmp_path: Path) -> None:
     ("scene", "message"),
     [
         ("horizon = [0.1, 1.6]", r"\$\.scene\.horizon\[1\] = 1\.6"),
-        ('horizon = [0.1]\nground = "mirror"', r"\$\.scene\.ground = 'mirror'.*skyline"),
+        ('horizon = [0.1]\nground = "mirror"', r"\$\.scene\.ground = 'mirror'.*without what hides it"),
+        (
+            'twilight = true\nclouds = { image = "c.png", layout = "angular", colour = [1.0, 1.0, 1.0] }',
+            r"\$\.scene\.twilight = True.*Clouds shine alike",
+        ),
+        (
+            'lights = [{ kind = "point", centre = [0.0, 0.0, 1e-16], intensity = [1e12, 0.0, 0.0] }]',
+            r"\$\.scene\.lights\[0\] = 'point': Its weights reach",
+        ),
+        (
+            'lights = [{ kind = "sphere", centre = [0.0, 0.0, 9.0], radius = -1.0, radiance = [1.0, 1.0, 1.0] }]',
+            r"\$\.scene\.lights\[0\]\.radius = -1\.0.*Allowed: above 0",
+        ),
+        (
+            'lights = [{ kind = "point", centre = [0.0, 0.0, 1.0], colour = 3, intensity = [1.0, 1.0, 1.0] }]',
+            r"\$\.scene\.lights\[0\]\.colour = 3: Unknown key.*Known here: centre, intensity, kind",
+        ),
+        (r'clouds = { image = "\u0000", layout = "angular", colour = [1.0, 1.0, 1.0] }', r"clouds\.image.*Leaves"),
         ('horizon = [0.1]\nquantity = "irradiance"', r"\$\.scene\.quantity = 'irradiance'.*radiance"),
         ("horizon = [0.1]\nwindow = true", r"\$\.scene\.window = True"),
         ("occluders = [{ centre = [1.0, 0.0, 0.0], radius = 2.0 }]", r"\$\.scene\.occluders\[0\].*inside"),

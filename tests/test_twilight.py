@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import json
 import tomllib
+from datetime import UTC, datetime
 from pathlib import Path
 
 import numpy as np
@@ -14,8 +15,9 @@ from test_cli import invoke
 
 from pipeline import runtime
 from pipeline.config import ConfigError, parse
-from pipeline.export import npz
+from pipeline.export import day, engines, npz, sun
 from pipeline.table import twilight
+from pipeline.table.surroundings import Surroundings
 from pipeline.truth import daylight
 
 TEXT = SMALL.read_text(encoding="utf-8")
@@ -57,6 +59,22 @@ def test_a_table_fades_its_horizon(tmp_path: Path) -> None:
     header = (result.folder / "export" / "skylight_sh.h").read_text(encoding="utf-8")
     assert "SUN_ZENITH_MAX 1.780" in header
     assert "_gradient(" not in header
+
+
+def test_lamps_shine_at_night() -> None:
+    table = npz.read(ROOT / "reports" / "reference" / "export" / "skylight_sh.npz")
+    lamps = np.arange(3.0 * table.bands**2).reshape(3, -1)
+    lit = runtime.Runtime(dataclasses.replace(table, twilight=True, surroundings=Surroundings(own=lamps)))
+    night = datetime(2024, 3, 20, tzinfo=UTC).date()
+    request = day.Request("filament-radiance", sun.Place(48.2, 16.4), night, {"turbidity": 3.0}, night="zero", exposure=0.5)
+    made = day.tabulate(lit, request)
+    expected = engines.convert(
+        lamps[np.newaxis, :, : made.numbers.shape[-1]], engines.PROFILES["filament-radiance"], exposure=0.5
+    )
+    assert made.zeniths[0] > twilight.END
+    assert np.abs(made.numbers[0] - expected[0]).max() < 1e-9
+    dark = day.tabulate(runtime.Runtime(table), request)
+    assert not dark.numbers[0].any()
 
 
 @pytest.mark.parametrize(

@@ -13,7 +13,7 @@ from typing import Any
 
 from pipeline.bench import compiled, evaluation
 from pipeline.bench.page import Row, Section
-from pipeline.bench.samples import Samples
+from pipeline.bench.samples import Samples, light_alone
 from pipeline.config import parse
 from pipeline.config.schema import Config
 from pipeline.run import plan
@@ -113,7 +113,7 @@ def _profiles(config: Config) -> list[tuple[str, Callable[[dict[str, Any]], None
 
 
 def _raw(config: Config, edit: Callable[[dict[str, Any]], None]) -> dict[str, Any]:
-    raw = deepcopy(settings(config))
+    raw = light_alone(deepcopy(settings(config)))
     raw["report"] = {"figures": []}
     raw["fit"]["references"] = []
     edit(raw)

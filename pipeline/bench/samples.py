@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,6 +13,7 @@ from pipeline.config.schema import Config
 from pipeline.fit.errors import Reference, mean_luminance
 from pipeline.run.stages.axes import fit_nodes, is_searched
 from pipeline.run.stages.frame import frame_of
+from pipeline.run.stages.scene import folded, luminance_scale
 from pipeline.table.table import Frame, Table
 from pipeline.truth import sampling
 from pipeline.truth import sets as parameter_sets
@@ -46,7 +48,7 @@ def sample(config: Config, bands: int, random: int = 400, like: Table | None = N
     ranges = [axis.range for axis in config.axes]
     frame = _frame(config, like)
     nodes = fit_nodes(config, frame.axes)
-    grid, _ = _weights(config, parameter_sets.grid(nodes))
+    grid = measured_at(config, parameter_sets.grid(nodes)).weights
     half = grid.reshape(*(n.size for n in nodes), *grid.shape[1:])
     corners = parameter_sets.grid([np.array(r) for r in ranges])
     sets = np.concatenate([corners, parameter_sets.random(ranges, random, 77)])
@@ -62,12 +64,19 @@ def _frame(config: Config, like: Table | None) -> Frame:
 
 def measured_at(config: Config, sets: Array) -> Reference:
     """Sample parameter sets ``(n, axes)`` as something to measure errors against."""
-    weights, least = _weights(config, sets)
+    radiance, least = _radiance(config, sets)
     degrees, _ = sphere.degrees_orders(config.truth.bands, mirrored=True)
-    return Reference(sets, weights, degrees, least, mean_luminance(weights[:, :, 0], config.source.luminance_row))
+    scale, mean = luminance_scale(config), mean_luminance(radiance[:, :, 0], config.source.luminance_row)
+    return Reference(sets, folded(config, radiance, degrees, sets), degrees, scale * least, scale * mean)
 
 
-def _weights(config: Config, sets: Array) -> tuple[Array, Array]:
+def light_alone(raw: dict[str, Any]) -> dict[str, Any]:
+    """Return a config's data without what stands in the scene beside the light: what it fixes and its channels stay."""
+    kept = {key: value for key, value in raw["scene"].items() if key in ("fixed", "channels")}
+    return {**raw, "scene": kept}
+
+
+def _radiance(config: Config, sets: Array) -> tuple[Array, Array]:
     bands, names = config.truth.bands, tuple(axis.name for axis in config.axes)
     weights = np.empty((len(sets), len(config.source.channels), sphere.count(bands, mirrored=True)))
     least = np.empty(len(sets))

@@ -11,10 +11,11 @@ _DEEPEST = 8
 
 
 def read(path: Path, depth: int = 0) -> Raw:
-    """Return the parsed TOML at ``path`` laid over what it extends, a file of its own folder or below.
+    """Return the parsed TOML at ``path`` laid over what it extends, a file beside it.
 
-    Tables are merged key by key, arrays of tables by their ``name``; anything else replaces what it extends. Raises OSError
-    and UnicodeDecodeError where a file cannot be read, and ValueError (TOMLDecodeError is one) telling what is wrong.
+    Tables are merged key by key, unless they are of another ``model`` or ``kind``; arrays of tables by their ``name``;
+    anything else replaces what it extends, as an empty array does. A parameter that is fixed is no axis any more. Raises
+    OSError and UnicodeDecodeError where a file cannot be read, and ValueError telling what else is wrong.
     """
     try:
         raw = tomllib.loads(path.read_text(encoding="utf-8"))
@@ -25,16 +26,24 @@ def read(path: Path, depth: int = 0) -> Raw:
         return raw
     if depth == _DEEPEST:
         raise ValueError(f"{path}: extends = {base!r} is the {_DEEPEST + 1}th in a row, or one in a circle. Extend fewer.")
-    below = path.parent / base
-    if not below.resolve().is_relative_to(path.parent.resolve()):
-        raise ValueError(f"{path}: extends = {base!r} leaves the config's folder. Extend a config beside it, or below.")
-    merged: Raw = _over(read(below, depth + 1), raw)
+    place = path.parent / base
+    if Path(base).name != base or "\0" in base or place.resolve().parent != path.parent.resolve():
+        raise ValueError(f"{path}: extends = {base!r} leaves the config's folder. Name a config beside it.")
+    if "name" not in raw:
+        raise ValueError(f"{path}: name is missing. A config that extends another needs its own: reports go under it.")
+    below = read(place, depth + 1)
+    fixed = raw.get("scene", {}).get("fixed", {}) if isinstance(raw.get("scene", {}), dict) else {}
+    if isinstance(fixed, dict) and _named(below.get("axes")):
+        below["axes"] = [axis for axis in below["axes"] if axis["name"] not in fixed]
+    merged: Raw = _over(below, raw)
     return merged
 
 
 def _over(base: Any, own: Any) -> Any:
     """Lay ``own`` over ``base``."""
     if isinstance(base, dict) and isinstance(own, dict):
+        if any(key in own and own[key] != base.get(key) for key in ("model", "kind")):
+            return own
         return {**base, **{key: _over(base[key], value) if key in base else value for key, value in own.items()}}
     if _named(base) and _named(own):
         by_name = {table["name"]: table for table in own}
@@ -44,9 +53,11 @@ def _over(base: Any, own: Any) -> Any:
 
 
 def _named(value: Any) -> bool:
-    """Whether ``value`` is an array of tables with names, each once."""
-    if not isinstance(value, list) or not all(
-        isinstance(table, dict) and isinstance(table.get("name"), str) for table in value
+    """Whether ``value`` is an array of tables with names, each once, and not empty."""
+    if (
+        not value
+        or not isinstance(value, list)
+        or not all(isinstance(table, dict) and isinstance(table.get("name"), str) for table in value)
     ):
         return False
     return len({table["name"] for table in value}) == len(value)

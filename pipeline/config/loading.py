@@ -5,7 +5,7 @@ from __future__ import annotations
 import copy
 import difflib
 import json
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -50,7 +50,9 @@ def parse(raw: dict[str, Any], where: str, folder: Path = Path()) -> Config:
         # JSON mode is strict about types but takes arrays for tuples, as TOML has no tuples.
         config = Config.model_validate_json(json.dumps(raw, default=str)).within(folder)
     except ValidationError as error:
-        found = [_problem(e, raw) for e in error.errors(include_url=False)]
+        # A value that fits no branch of a union fails in each: the first failure that goes deepest tells enough.
+        told = {problem.path: problem for problem in reversed([_problem(e, raw) for e in error.errors(include_url=False)])}
+        found = [p for path, p in reversed(told.items()) if not any(q.startswith((f"{path}.", f"{path}[")) for q in told)]
     else:
         found = problems.find(config)
         if not found:
@@ -60,33 +62,59 @@ def parse(raw: dict[str, Any], where: str, folder: Path = Path()) -> Config:
 
 
 def _problem(error: Any, raw: dict[str, Any]) -> Problem:
-    # A tagged union puts the tag into the location, which no config spells out.
-    location = [part for i, part in enumerate(error["loc"]) if not (i == 1 and error["loc"][0] == "light")]
-    path = "$" + "".join(f"[{part}]" if isinstance(part, int) else f".{part}" for part in location)
     schema = Config.model_json_schema()
+    location, node = _follow(schema, error["loc"], raw)
+    path = "$" + "".join(f"[{part}]" if isinstance(part, int) else f".{part}" for part in location)
     if error["type"] in ("extra_forbidden", "unexpected_keyword_argument", "unexpected_property"):
-        known = sorted(_describe(schema, location[:-1], raw).get("properties", {}))
+        known = sorted(_follow(schema, error["loc"][:-1], raw)[1].get("properties", {}))
         close = difflib.get_close_matches(str(location[-1]), known, n=1)
         hint = f"Did you mean {close[0]!r}?" if close else "Remove it."
         return Problem(path, error["input"], f"Unknown key. {hint} Known here: {', '.join(known)}.")
-    described = _describe(schema, location, raw).get("description", "")
+    described = node.get("description", "") or "see `python -m pipeline config schema`"
     if error["type"] == "missing":
-        return Problem(path, None, f"This key is required. Add it: {described or 'see `python -m pipeline config schema`'}.")
-    return Problem(
-        path, error["input"], f"{error['msg']}. Allowed: {described or 'see `python -m pipeline config schema`'}."
-    )
+        return Problem(path, None, f"This key is required. Add it: {described}.")
+    return Problem(path, error["input"], f"{error['msg']}. Allowed: {described}.")
 
 
-def _describe(schema: dict[str, Any], location: list[Any], raw: Any) -> dict[str, Any]:
-    """Follow a location through the JSON Schema as far as it goes; the last description met comes along."""
-    node: dict[str, Any] = schema
+def _follow(schema: dict[str, Any], location: Sequence[Any], raw: Any) -> tuple[list[Any], dict[str, Any]]:
+    """Follow an error's location through the JSON Schema as far as it goes.
+
+    Returns the location as a config spells it, without the tags of unions that pydantic puts in, and what the schema says
+    there; the last description met comes along.
+    """
+    node = _resolve(schema, schema, raw)
+    spelt: list[Any] = []
     description = ""
     for part in location:
-        node = _resolve(schema, node, raw)
-        raw = raw[part] if isinstance(raw, dict) and part in raw else raw[part] if _has(raw, part) else None
-        node = node.get("properties", {}).get(part, {}) if isinstance(part, str) else node.get("items", {}) or node
-        description = node.get("description", description)
-    return {**_resolve(schema, node, raw), "description": description}
+        if part == _tag(node) and part not in node.get("properties", {}):
+            continue
+        branches = _branches(schema, node)
+        if branches and isinstance(part, str):
+            # A union's own label: the branch that it names, or all that have a key of that name.
+            named = [b for b in branches if part in b.get("properties", {})]
+            if not named:
+                tagged = [b for b in branches if _tag(b) == part]
+                node = tagged[0] if tagged else node
+                continue
+            node = named[0]
+        spelt.append(part)
+        raw = raw[part] if (isinstance(raw, dict) and part in raw) or _has(raw, part) else None
+        inside = node.get("properties", {}).get(part, {}) if isinstance(part, str) else node.get("items", {}) or node
+        description = inside.get("description", description)
+        node = _resolve(schema, inside, raw)
+    return spelt, {**node, "description": description}
+
+
+def _branches(schema: dict[str, Any], node: dict[str, Any]) -> list[dict[str, Any]]:
+    """Return the alternatives of a union, resolved; nothing for anything else."""
+    found = node.get("anyOf") or node.get("oneOf") or []
+    return [_resolve(schema, branch, None) for branch in found if branch.get("type") != "null"]
+
+
+def _tag(branch: dict[str, Any]) -> object:
+    """Return the constant that tells a branch of a union from the others, if it has one."""
+    properties = branch.get("properties", {})
+    return next((properties[key]["const"] for key in ("model", "kind") if "const" in properties.get(key, {})), None)
 
 
 def _has(raw: Any, part: Any) -> bool:
@@ -94,8 +122,12 @@ def _has(raw: Any, part: Any) -> bool:
 
 
 def _resolve(schema: dict[str, Any], node: dict[str, Any], raw: Any) -> dict[str, Any]:
-    if "discriminator" in node:
-        tag = raw.get("model") if isinstance(raw, dict) else None
+    """Return what a node refers to: by name, by the tag in ``raw``, or as the only alternative to null."""
+    if "discriminator" in node and isinstance(raw, dict):
+        tag = raw.get(node["discriminator"]["propertyName"])
         node = {"$ref": node["discriminator"]["mapping"].get(tag, "")}
+    only = [branch for branch in node.get("anyOf", []) if branch.get("type") != "null"]
+    if len(only) == 1:
+        node = {**node, **only[0]}
     reference = node.get("$ref", "")
     return schema["$defs"][reference.rsplit("/", 1)[-1]] if reference else node

@@ -12,7 +12,8 @@ from pipeline.config.problem import Problem
 from pipeline.config.schema import AxisSection, Config
 from pipeline.light import PREFACTORS, Preetham
 
-_NAME = re.compile(r"[a-z][a-z0-9_]{1,31}")
+# None of the locals of headers and shaders, such as x0, t1, c2, a3_1 and fade2.
+_NAME = re.compile(r"(?!([a-z]|fade)\d+(_\d+)?$)[a-z][a-z0-9_]{1,31}")
 # Names of the header's own, and of the store's dimensions.
 _RESERVED = frozenset(
     {
@@ -20,6 +21,9 @@ _RESERVED = frozenset(
         "weights",
         "status",
         "scale",
+        "row",
+        "wave",
+        "depth",
         "transfer",
         "own",
         "below",
@@ -100,7 +104,7 @@ def _axes(config: Config) -> Iterator[Problem]:
     for i, axis in enumerate(config.axes):
         path = f"$.axes[{i}]"
         if axis.name in domains and (not _NAME.fullmatch(axis.name) or axis.name in _RESERVED):
-            remedy = "A parameter's name becomes a name in C and in files: lower-case letters, digits and _, none of"
+            remedy = "A parameter's name becomes a name in C and in files: lower-case letters, digits and _, not x0, not"
             yield Problem(f"{path}.name", axis.name, f"{remedy} {', '.join(sorted(_RESERVED))}.")
         if axis.name not in domains:
             yield Problem(f"{path}.name", axis.name, f"The light has no such parameter. Use one of: {', '.join(domains)}.")

@@ -222,8 +222,8 @@ class Config(Section):
     name: Name = Field(description="name of the run and of its folder under reports/: lower-case letters, digits, - and _")
     extends: str = Field(
         "",
-        description="a config beside this one, or below, of which this one then says only what differs: tables are merged, "
-        "and axes and references by name",
+        description="a config beside this one, of which this one then says only what differs: tables are merged, axes and "
+        "references by name",
     )
     light: Annotated[
         Preetham | CieGeneral | CieTraditional | Perez | MitsubaSunsky | Plugin, Field(discriminator="model")

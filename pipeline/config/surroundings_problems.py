@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+import numpy as np
+
 from pipeline.config.problem import Problem
 from pipeline.config.schema import Config
 from pipeline.config.surroundings import CloudsSection, LightSection, ProbeLight, colour, weights
@@ -12,6 +14,10 @@ from pipeline.probe import files, project
 from pipeline.probe.layouts import most_bands, patches
 from pipeline.table.surroundings import mask_bands
 
+# Products of 2N - 1 bands with N: 3 seconds and 1 GB at 12, 26 and 3 at 16.
+_MOST_BANDS = 12
+# Beyond it float32 ends.
+_BRIGHTEST = 1e30
 _RGB = ("red", "green", "blue")
 
 
@@ -39,8 +45,17 @@ def _together(config: Config) -> Iterator[Problem]:
         yield Problem("$.scene.quantity", scene.quantity, remedy)
     if scene.surrounded and scene.window:
         yield Problem("$.scene.window", True, "A window comes after the surroundings. Use false, and window at run time.")
-    if scene.horizon and scene.ground == "mirror":
-        yield Problem("$.scene.ground", "mirror", "A skyline hides it. Use black, or one albedo a channel.")
+    if scene.masked and scene.ground == "mirror":
+        yield Problem("$.scene.ground", "mirror", "It would show a sky without what hides it. Use black, or albedos.")
+    if scene.clouds and scene.twilight:
+        remedy = "Clouds shine alike whatever the sun does. Leave twilight out, or the clouds."
+        yield Problem("$.scene.twilight", True, remedy)
+    for i, winner in enumerate(config.winners):
+        if scene.masked and winner.bands > _MOST_BANDS:
+            remedy = (
+                f"What hides the sky takes tables of at most {_MOST_BANDS} bands: its products cost seconds and gigabytes."
+            )
+            yield Problem(f"$.winners[{i}].bands", winner.bands, f"{remedy} Ask for fewer.")
     coloured = [(path, colour(light)) for path, light in _lights(config) if not isinstance(light, ProbeLight)]
     coloured += [("$.scene.clouds.colour", scene.clouds.colour)] if scene.clouds else []
     for path, numbers in coloured:
@@ -57,7 +72,11 @@ def _spheres_and_lamps(config: Config) -> Iterator[Problem]:
     for path, light in _lights(config):
         try:
             if not isinstance(light, ProbeLight):
-                weights(light, 1)
+                largest = float(np.abs(weights(light, 2)).max())
+                if not largest <= _BRIGHTEST:
+                    yield Problem(
+                        path, light.kind, f"Its weights reach {largest:.3g}. Dim it, or move it away: 1e30 is the most."
+                    )
         except ValueError as error:
             yield Problem(path, light.kind, str(error))
     for i, occluder in enumerate(config.scene.occluders):
@@ -69,14 +88,16 @@ def _spheres_and_lamps(config: Config) -> Iterator[Problem]:
 
 def _picture(config: Config, path: str, section: CloudsSection | ProbeLight, needed: int) -> Iterator[Problem]:
     place = config.folder / section.image
-    if not place.resolve().is_relative_to(config.folder.resolve()):
-        yield Problem(path, section.image, "Leaves the config's folder. Put the picture beside the config, or below.")
-        return
     try:
+        if "\0" in section.image or not place.resolve().is_relative_to(config.folder.resolve()):
+            yield Problem(path, section.image, "Leaves the config's folder. Put the picture beside the config, or below.")
+            return
         pixels = files.read_mask(place) if isinstance(section, CloudsSection) else files.read(place).pixels
         most = most_bands(patches(section.layout, *pixels.shape[:2]))
         if isinstance(section, ProbeLight):
             project(pixels, section.layout, 1)
+            if not section.brightness * float(pixels.max()) <= _BRIGHTEST:
+                yield Problem(path, section.image, f"brightness times its largest pixel exceeds {_BRIGHTEST:g}. Lower it.")
     except (ValueError, OSError, MissingExtraError) as error:
         yield Problem(path, section.image, str(error))
         return

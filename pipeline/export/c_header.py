@@ -178,7 +178,7 @@ def _about(table: Table) -> tuple[str, str, list[str]]:
     if table.surroundings:
         notes.append("The scene's surroundings are in the weights: what hides part of the sky, and what shines beside it.")
         notes.append(
-            f"They multiply the sky's errors, which are those below, by no more than {table.surroundings.gain:.3g}."
+            f"The accuracy below is the sky's alone; E_mean grows by no more than {table.surroundings.gain:.3g} times."
         )
     if table.twilight:
         notes.append("Below the horizon the light of a sun on it fades: (1 - x)^10 (1 + 10 x), x = depth / 12 degrees.")

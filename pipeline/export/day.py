@@ -19,6 +19,7 @@ from pipeline.export import engines, sun
 from pipeline.runtime import CLAMPED, INVALID, Runtime
 from pipeline.store import atomic
 from pipeline.table import twilight
+from pipeline.table.table import Table
 
 Array = NDArray[np.float64]
 Night = Literal["skip", "zero"]
@@ -29,7 +30,7 @@ class Request:
     """What to tabulate: when, where, the table's inputs beside the sun, and the engine's form.
 
     ``step`` is minutes. ``night`` says what becomes of moments whose sun stands below the horizon, or 12 degrees below it
-    for a table with twilight, of which the tables know nothing: left out, or all numbers zero.
+    for a table with twilight: left out, or zero but for what shines of itself in the table's surroundings.
     """
 
     format: str
@@ -82,16 +83,23 @@ def tabulate(table: Runtime, request: Request) -> Day:
     if np.any(status == INVALID):
         raise ValueError(f"Invalid inputs {dict(request.others)}. Should be finite numbers.")
     shines = np.array(zeniths) <= night
+    weights = np.where(shines[:, np.newaxis, np.newaxis], weights, _at_night(table.table, bands))
     numbers = engines.convert(weights, profile, axes=request.axes, exposure=request.exposure)
     return Day(
         request,
         [time for time, _, _ in kept],
         zeniths,
         azimuths,
-        np.where(shines[:, np.newaxis, np.newaxis], numbers, 0.0),
+        numbers,
         nights=len(up) - sum(up),
         clamped=int(np.count_nonzero((status == CLAMPED) & shines)),
     )
+
+
+def _at_night(table: Table, bands: int) -> Array:
+    """Return the weights ``(channels, N*N)`` of what shines without the sky: the surroundings' lamps and clouds."""
+    dark = np.zeros((len(table.channels), table.bands**2))
+    return np.asarray(table.surroundings.apply(dark, bands) if table.surroundings else dark[:, : bands * bands])
 
 
 def to_json(day: Day) -> str:

@@ -36,6 +36,8 @@ Singles = NDArray[np.float32]
 def write(table: Table) -> str:
     """Return the text of the vectors of ``table``."""
     inputs = np.concatenate([_edges(table), _no_numbers(table), _inside(table)])
+    if table.azimuth is not None:
+        inputs = np.delete(inputs, 1, axis=1)
     weights, status = Runtime(table).weights_and_status(*inputs.T)
     expected = weights.astype(np.float32)
     count = inputs.shape[0]
@@ -60,8 +62,8 @@ def self_test(table: Table, prefix: str = "skylight_sh") -> str:
         p=prefix,
         P=prefix.upper(),
         format=FORMAT,
-        inputs=len(table.axes) + 1,
-        arguments=", ".join(f"in[{i}]" for i in range(len(table.axes) + 1)),
+        inputs=len(Runtime(table).inputs),
+        arguments=", ".join(f"in[{i}]" for i in range(len(Runtime(table).inputs))),
     )
 
 

@@ -44,5 +44,5 @@ def drawing() -> dict[str, str]:
 
 
 def settings(config: Config) -> dict[str, Any]:
-    """Return the config as JSON-like data, without what changes no result (where work is done, which files tell of it)."""
-    return config.model_dump(mode="json", exclude={"run": True, "export": {"targets"}})
+    """Return the config as JSON-like data, without what changes no result: where work is done, files, what it extends."""
+    return config.model_dump(mode="json", exclude={"extends": True, "run": True, "export": {"targets"}})

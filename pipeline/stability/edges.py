@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from pipeline import sphere
 from pipeline.bench import trial
 from pipeline.bench.page import Row, Section
-from pipeline.bench.samples import Samples, sample
+from pipeline.bench.samples import Samples, light_alone, sample
 from pipeline.config import ConfigError, parse
 from pipeline.config.schema import Config
 from pipeline.run.provenance import settings
@@ -82,8 +82,8 @@ def _outside(config: Config, table: Table) -> Iterator[Row]:
     def at(changed: dict[str, float]) -> list[float]:
         return [(middle | changed)[name] for name in runtime.inputs]
 
-    for axis in config.axes:
-        low, high = axis.range
+    scale = float(np.abs(runtime.weights(*at({}))).max())
+    for axis, (low, high) in zip(config.axes, table.ranges, strict=True):
         for value, edge, label in (
             (high + 1.0, high, "1 above its range"),
             (low - 1.0, low, "1 below its range"),
@@ -92,7 +92,7 @@ def _outside(config: Config, table: Table) -> Iterator[Row]:
         ):
             got, status = runtime.weights_and_status(*at({axis.name: value}))
             at_edge = runtime.weights(*at({axis.name: edge}))
-            error = float(np.abs(got - at_edge).max() / np.abs(at_edge).max())
+            error = float(np.abs(got - at_edge).max()) / scale
             told = {0: "takes it as inside (a millionth counts as inside)", 1: "clamps, and returns 1"}[int(status)]
             yield _row(f"{axis.name} {label}", error, 1e-6, told)
         got, status = runtime.weights_and_status(*at({axis.name: math.nan}))
@@ -105,13 +105,14 @@ def _refusals(config: Config) -> Iterator[Row]:
     for i, axis in enumerate(config.axes):
         domain = domains[axis.name]
         for value, end in ((domain.low - 0.1, 0), (domain.high + 0.1, 1)):
-            raw = settings(config)
+            raw = light_alone(settings(config))
             raw["axes"][i]["range"][end] = value
             try:
                 parse(raw, "a config")
             except ConfigError as error:
-                first = str(error).splitlines()[1].strip()
-                yield _row(f"a config asks for {axis.name} = {value:.4g}", 0.0, 0.0, f"refuses: {first}")
+                told = [line.strip() for line in str(error).splitlines() if f"$.axes[{i}]" in line]
+                answer = f"refuses: {told[0]}" if told else ""
+                yield _row(f"a config asks for {axis.name} = {value:.4g}", 0.0 if told else math.inf, 0.0, answer)
             else:
                 yield _row(
                     f"a config asks for {axis.name} = {value:.4g}", math.inf, 0.0, "", "runs, though the light ends before"

@@ -9,9 +9,10 @@ from numpy.typing import NDArray
 
 from pipeline import sphere
 from pipeline.fit.errors import Reference, by_band, e_mean
-from pipeline.table.table import Table
+from pipeline.table.table import Table, full_weights
 
 Array = NDArray[np.float64]
+Floats = NDArray[np.floating]
 
 
 @dataclass(frozen=True)
@@ -53,10 +54,17 @@ def measure(table: Table, reference: Reference) -> Measured:
 def least_reconstructed(table: Table, parameters: Array, luminance_row: Array) -> float:
     """Return the least luminance the table's expansion takes over its largest of the same set, the least over all sets.
 
-    A fraction, below 0 where the expansion rings; directions are an even spiral of 2,000, sets ``(n, axes)``.
+    A fraction, below 0 where the expansion rings; directions are an even spiral of 2,000, sets ``(n, axes)``. Surroundings
+    are in it, with the suns of the sets spread over all azimuths.
     """
-    basis = sphere.basis(sphere.spiral(2000), table.bands, mirrored=table.mirrored)
-    luminance = np.einsum("ncw,c->nw", table.evaluate(parameters).astype(np.float64), luminance_row) @ basis.T
+    weights: Floats = table.evaluate(parameters).astype(np.float64)
+    mirrored = table.mirrored
+    if table.surroundings:
+        azimuths = np.linspace(0.0, 2.0 * np.pi, len(parameters), endpoint=False) if table.azimuth is None else table.azimuth
+        turned = sphere.rotate_azimuth(full_weights(table, weights, table.bands), np.reshape(azimuths, (-1, 1)))
+        weights, mirrored = table.surroundings.apply(turned, table.bands), False
+    basis = sphere.basis(sphere.spiral(2000), table.bands, mirrored=mirrored)
+    luminance = np.einsum("ncw,c->nw", weights, luminance_row) @ basis.T
     return float((luminance.min(axis=1) / luminance.max(axis=1)).min())
 
 

@@ -47,8 +47,13 @@ class Surroundings:
 
     @property
     def gain(self) -> float:
-        """How much an error of the weights may grow: the largest singular value of the linear part."""
-        return float(np.linalg.norm(self.transfer, 2)) if self.transfer.size else 1.0
+        """How much E_mean may grow: the largest singular value of the linear part, ground included, of any channel."""
+        if not self.transfer.size:
+            return 1.0
+        linear = self.transfer[np.newaxis]
+        if self.below.size:
+            linear = linear + self.below[:, :, np.newaxis] * self.transfer[2]
+        return float(np.linalg.norm(linear, 2, axis=(1, 2)).max())
 
 
 def mask_bands(bands: int) -> int:
@@ -65,6 +70,8 @@ def build(
     lights: Array = _NONE,
 ) -> Surroundings:
     """Combine a scene's parts, nearest last: clouds before the sky, the skyline before them, occluders before all.
+
+    Clouds end where the sky does: on the skyline, or on a level horizon where none is given.
 
     ``skyline`` as ``sphere.horizon`` takes it; ``clouds`` are the weights of their opacity and their radiance
     ``(channels,)``; ``occluders`` half-angles ``(n,)`` and directions ``(n, 3)`` of black spheres; ``albedo`` the ground's,
@@ -83,17 +90,19 @@ def build(
         near = sphere.product(near, shade, wide)
     above = sphere.horizon(skyline, wide) if len(skyline) else one
     seen = sphere.product(near, above, wide) if occluders else above
-    opacity, colours = (clouds[0], np.asarray(clouds[1])) if clouds else (0.0 * one, _NONE)
-    through = seen - sphere.product(seen, opacity, wide) if clouds else seen
-    own = lights
+    through, own, below = seen, _NONE, _NONE
     if clouds:
-        shown = sphere.product(seen, opacity, bands)
-        own = np.multiply.outer(colours, shown) + (lights if lights.size else 0.0)
-    below = _NONE
+        opaque = clouds[0] if len(skyline) else sphere.product(sphere.horizon(0.0, wide), clouds[0], wide)
+        hidden = sphere.product(seen, opaque, wide)
+        through, own = seen - hidden, np.multiply.outer(np.asarray(clouds[1]), hidden[: bands * bands])
     if albedo is not None and masked:
         ground = one - above if len(skyline) else _zonal(sphere.lower_hemisphere(wide))
         shape = sphere.product(near, ground, bands) if occluders else ground[: bands * bands]
         below = np.multiply.outer(np.array(albedo) * np.sqrt(4 / (3 * np.pi)), shape)
+    if lights.size:
+        # What the ground will reflect of them is taken away beforehand: below * own[l = 1, m = 0].
+        alone = lights - below * lights[:, 2:3] / (1.0 + below[:, 2:3]) if below.size else lights
+        own = own + alone if own.size else alone
     return Surroundings(sphere.multiplication(through, bands) if masked else _NONE, own, below)
 
 

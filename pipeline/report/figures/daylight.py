@@ -13,9 +13,10 @@ from pipeline.truth import daylight
 
 CAPTION = (
     "Illuminance on the horizontal over the sun's height, at the least, a middle and the largest turbidity: the Preetham "
-    "sky, its sun's disc behind the air of the same turbidity, and both. Dotted: IES RP-21 (1984) for a clear day, a "
-    "regression over measurements. With twilight: how the horizon's light fades, beside the measured illuminance over that "
-    "at sunset (Seidelmann 1992)."
+    "sky (published constants), its sun's disc behind the air of the same turbidity, and both. Dotted: IES RP-21 (1984) for "
+    "a clear day, a regression over measurements; dashed: the sun's 127.5 klx above the atmosphere. The model's sky is "
+    "brighter than measured ones, and with a high sun in turbid air brighter than the sun allows. With twilight: the light "
+    "on the horizontal as the sun sinks, beside measurements without a moon (Seidelmann 1992)."
 )
 
 
@@ -47,18 +48,23 @@ def draw(material: Material) -> Figure | None:
     top = max(panel.get_ylim()[1] for panel in panels[:3])
     for panel in panels[:3]:
         panel.set_ylim(0.0, top)
+    panels[2].plot(height, 127.5 * np.cos(theta), color="grey", linestyle="--", label="above the air")
+    panels[2].legend(fontsize=8)
     if sinks:
-        _fade(panels[3])
+        _fade(panels[3], {tau: float(parts[0][height == 0.0][0]) for tau, parts in found.items()})
     return figure
 
 
-def _fade(panel: Axes) -> None:
+def _fade(panel: Axes, sunset: dict[float, float]) -> None:
+    """Draw lux against the sun's depth, from those at sunset for each turbidity."""
     depth = np.radians(np.linspace(0.0, 12.0, 121))
-    panel.semilogy(np.degrees(depth), twilight.fade(twilight.BEGIN + depth), color=style.BLUE, label="the fade")
-    measured = daylight.twilight(depth)
-    panel.semilogy(np.degrees(depth), measured / measured[0], color=style.BLACK, linestyle=":", label="measured")
-    panel.set_ylim(1e-6, 2.0)
+    for (tau, lux), color in zip(sunset.items(), style.SERIES, strict=False):
+        panel.semilogy(
+            np.degrees(depth), lux * twilight.fade(twilight.BEGIN + depth), color=color, label=f"turbidity {tau:g}"
+        )
+    panel.semilogy(np.degrees(depth), daylight.twilight(depth), color=style.BLACK, linestyle=":", label="measured")
+    panel.set_ylim(1e-3, 3e4)
     panel.set_title("twilight", fontsize=10)
     panel.set_xlabel("sun's depth (degrees)")
-    panel.set_ylabel("share of the light on the horizon")
+    panel.set_ylabel("illuminance (lx)")
     panel.legend(fontsize=8)

@@ -20,6 +20,7 @@ from pipeline.run.provenance import drawing, environment, settings
 from pipeline.run.stages import origins
 from pipeline.run.stages.axes import axes_of, variables
 from pipeline.run.stages.files import to_dataset
+from pipeline.run.stages.frame import surrounded
 from pipeline.run.stages.scene import folded
 from pipeline.store.dataset import Dataset
 from pipeline.truth import sampling
@@ -46,7 +47,7 @@ def steps(config: Config) -> list[Step]:
     """Return the report's step."""
     parameters = {"config": settings(config), "environment": environment(), "drawing": drawing()}
     explained = (origins.STEP,) if origins.is_wanted(config) else ()
-    needed = (*_INPUTS, *variables(config), *explained)
+    needed = (*_INPUTS, *variables(config), *surrounded(config), *explained)
     return [Step("report", "", _CODE, needed, parameters, partial(_make, config))]
 
 
@@ -108,7 +109,7 @@ def _material(config: Config, inputs: Inputs) -> Material:
         sample=sample,
         settings=settings(config),
         environment=environment(),
-        keys={name: str(inputs[name].attrs["key"]) for name in _INPUTS},
+        keys={name: str(inputs[name].attrs["key"]) for name in (*_INPUTS, *surrounded(config))},
         rule=rule.attrs,
     )
 

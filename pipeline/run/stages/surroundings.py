@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 from functools import partial
+from importlib.metadata import version
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,6 +34,7 @@ def steps(config: Config) -> list[Step]:
     parameters = {
         "scene": scene.model_dump(mode="json"),
         "pictures": [hashlib.sha256((config.folder / image).read_bytes()).hexdigest() for image in pictures],
+        "reader": version("OpenImageIO") if pictures else "",
         "bands": _bands(config),
         "channels": config.source.channels,
     }

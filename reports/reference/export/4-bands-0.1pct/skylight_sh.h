@@ -26,7 +26,7 @@
  *
  * Provenance
  *   config preetham, table 4-bands-0.1pct
- *   selection cab9e5ffa3a6c8e02d4eb9052327a9206eb9f106bdf0210760d5dabb7e01e49b
+ *   selection efecdc43a5397766b1865d97152172a775c91310cbd28b7653133f94262bdd20
  *   python 3.11.7, numpy 2.4.6, scipy 1.17.1, h5py 3.16.0, dask 2026.8.0
  *   x86_64: AVX512_ICL X86_V2 X86_V3 X86_V4
  */
