@@ -49,4 +49,6 @@ def project(image: Path, layout: Layout | None, bands: int, blur: float, linear:
         weights = probe.blur(probe.project(picture.pixels, chosen, bands), math.radians(blur))
     except ValueError as error:
         raise BadInputError(f"{image}: {error}") from error
+    if picture.clipped:
+        click.echo(f"Warning: {100 * picture.clipped:.2g} % of the pixels are clipped: brighter light is lost.", err=True)
     show_weights(weights, picture.channels, as_json=as_json)

@@ -103,6 +103,11 @@ def test_a_matrix_typed_with_seven_digits_turns_as_the_nearest_rotation() -> Non
 # Windows
 
 
+def test_whole_numbers_turn_like_others() -> None:
+    whole = np.array([1, 2, 3, 4])
+    assert sphere.rotate_azimuth(whole, 0.5) == pytest.approx(sphere.rotate_azimuth(whole.astype(float), 0.5), abs=1e-15)
+
+
 def test_windows_have_their_closed_forms() -> None:
     l = np.arange(1, 6)
     x = np.pi * l / 6
@@ -326,6 +331,13 @@ def test_greens_two_lights() -> None:
         (lambda: sphere.nonnegative_irradiance(np.ones(3), np.eye(3)), r"shape \(3,\)"),
         (lambda: sphere.cap([0.1, -0.2], 4), "half-angle -0.2"),
         (lambda: sphere.gaunt(2, 2, 0), "bands 0"),
+        (lambda: sphere.cap(0.1, 2.5), "bands 2.5"),  # type: ignore[arg-type]  # what mypy refuses, a caller may do
+        (lambda: sphere.rotate_azimuth(np.ones(4), np.nan), "azimuth nan"),
+        (lambda: sphere.evaluate(np.ones(4), np.array([[0.0, 0.0, 2.0]])), "length 2.0.*divide it"),
+        (lambda: sphere.add_ground(np.ones(4), 1.7, 2), "albedo 1.7"),
+        (lambda: sphere.cover(np.ones(4), np.full(4, np.nan), 1.0), "opacity nan"),
+        (lambda: sphere.minimum(np.full(4, np.nan)), "weight nan"),
+        (lambda: sphere.spiral(0), "count 0"),
         (lambda: sphere.product(np.ones(5), np.ones(4)), "5 weights"),
     ],
 )

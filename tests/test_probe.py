@@ -255,6 +255,15 @@ def test_bad_pixels_are_told_with_their_place(tmp_path: Path, value: float) -> N
     assert f"{value}. Should be a finite radiance of at least 0. Mend it" in told
 
 
+def test_clipped_pixels_are_told(tmp_path: Path) -> None:
+    image = np.full((16, 32, 3), 0.5)
+    image[2, :, 1] = 1.0
+    code, _, told = invoke(str(write(tmp_path / "p.png", image, "uint8")), "--bands", "2")
+    assert code == 0
+    assert "6.2 % of the pixels are clipped" in told
+    assert invoke(str(write(tmp_path / "p.exr", 2 * image, "float")), "--bands", "2")[2] == ""
+
+
 def test_the_layout_follows_from_the_proportions(tmp_path: Path) -> None:
     for layout, shape in (("angular", (16, 16)), ("equirect", (16, 32)), ("cube-cross", (24, 32)), ("cube-strip", (8, 48))):
         path = write(tmp_path / "p.exr", np.random.default_rng(4).random((*shape, 3)), "float")
@@ -293,7 +302,7 @@ def test_bad_pictures_and_options_exit_2_with_a_remedy(tmp_path: Path) -> None:
         ),
         ((str(two), "--layout", "equirect", "--bands", "2"), "Should hold R, G and B, or one alone. Save it as RGB"),
         ((str(tmp_path / "none.exr"), "--layout", "equirect", "--bands", "2"), "none.exr: no such file"),
-        ((str(tmp_path), "--layout", "equirect", "--bands", "2"), "no such file"),
+        ((str(tmp_path), "--layout", "equirect", "--bands", "2"), "a folder. Give the path"),
     ]
     for arguments, expected in cases:
         code, _, told = invoke(*arguments)

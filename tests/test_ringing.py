@@ -2,38 +2,34 @@
 
 from __future__ import annotations
 
-import io
-
 import numpy as np
-import pandas as pd
 import pytest
+from numpy.typing import NDArray
 
 from pipeline import sphere
-from pipeline.report.ringing import ALBEDO, GROUNDS, LEAST, csv, measure
+from pipeline.report import panorama
+from pipeline.report.ringing import ALBEDO, GROUNDS, LEAST, measure
+
+
+def ones(sets: int) -> NDArray[np.float64]:
+    """Skies of 1 above a black horizon."""
+    view = panorama.directions()
+    return np.broadcast_to((view[..., 2] > 0).astype(float), (sets, *view.shape[:2]))
 
 
 def test_a_cosine_is_negative_on_half_the_sphere() -> None:
     weights = np.zeros((2, 9))
     weights[:, 0] = 1e-9
     weights[0, 2] = np.sqrt(4 * np.pi / 3)
-    found = measure(weights, np.array([1.0, 1.0]), (2, 3))
+    found = measure(weights, ones(2), (2, 3))
     black, mirrored = 0, list(GROUNDS).index("mirrored sky")
     assert found.undershoot[black, 0] == pytest.approx(1, abs=2e-3)
     assert found.area[black, 0] == pytest.approx(0.5, abs=1e-3)
-    assert found.worst[black].tolist() == [0, 0]
+    assert found.worst[black, 0].tolist() == [0, 0]
     # Eq. 5: sinc(pi / 2) at two bands, sinc(pi / 3) at three.
     sinc = found.windows.index("zonal sinc (eq. 5)")
     assert found.undershoot[black, sinc] == pytest.approx(np.sinc([1 / 2, 1 / 3]), abs=2e-3)
     assert found.undershoot[mirrored] == pytest.approx(0, abs=1e-9)
-
-
-def test_the_study_is_told_in_numbers() -> None:
-    found = measure(np.ones((1, 9)), np.array([1.0]), (2, 3))
-    table = pd.read_csv(io.BytesIO(csv(found)))
-    assert list(table.columns) == ["ground", "window", "bands", "undershoot", "negative_area", "peak_change"]
-    assert len(table) == len(GROUNDS) * len(found.windows) * 2
-    row = table[(table.ground == "mirrored sky") & (table.window == "Hann") & (table.bands == 3)]
-    assert row.undershoot.item() == pytest.approx(found.undershoot[2, 3, 1], rel=1e-3, abs=1e-9)
 
 
 def test_windows_and_grounds_keep_their_promises() -> None:
@@ -41,9 +37,9 @@ def test_windows_and_grounds_keep_their_promises() -> None:
     bands = (3, 4, 7, 10)
     degrees, orders = sphere.degrees_orders(10)
     sky = np.where(orders == 0, sphere.cap(np.array([np.pi / 2]), 10)[0][degrees], 0)[np.newaxis]
-    found = measure(sky, np.array([1.0]), bands)
-    assert found.windows[-1] == LEAST
-    assert found.undershoot[:, -1].max() < 1e-12
+    found = measure(sky, ones(1), bands)
+    assert found.windows[-2] == LEAST
+    assert found.undershoot[:, -2].max() < 1e-12
     assert (found.undershoot[0, 0] > 0.03).all()
     # An even ground of albedo a takes the same share of the jump at the horizon, and adds light.
     lit = list(GROUNDS).index(f"ground of albedo {ALBEDO:g}")

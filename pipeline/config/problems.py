@@ -80,7 +80,9 @@ def _scene(config: Config) -> Iterator[Problem]:
     ground, channels = config.scene.ground, len(config.source.channels)
     if not isinstance(ground, str) and len(ground) != channels:
         yield Problem(
-            "$.scene.ground", list(ground), f"Give one albedo for each of {channels} channels, or black or mirror."
+            "$.scene.ground",
+            list(ground),
+            f"Give one albedo for each channel ({', '.join(config.source.channels)}), or black or mirror.",
         )
     fewest = min((config.truth.bands, *(winner.bands for winner in config.winners if config.scene.masked)))
     if not isinstance(ground, str) and fewest < 2:

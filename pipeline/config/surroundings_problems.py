@@ -8,14 +8,20 @@ import numpy as np
 
 from pipeline.config.problem import Problem
 from pipeline.config.schema import Config
-from pipeline.config.surroundings import CloudsSection, LightSection, ProbeLight, colour, weights
-from pipeline.light import MissingExtraError, spherical
+from pipeline.config.surroundings import (
+    CloudsSection,
+    LightSection,
+    OccluderSection,
+    ProbeLight,
+    SphereLight,
+    colour,
+    weights,
+)
+from pipeline.light import MissingExtraError
 from pipeline.probe import files, project
 from pipeline.probe.layouts import most_bands, patches
-from pipeline.table.surroundings import mask_bands
+from pipeline.table.surroundings import MOST_BANDS, mask_bands
 
-# Products of 2N - 1 bands with N: 3 seconds and 1 GB at 12, 26 and 3 at 16.
-_MOST_BANDS = 12
 # Beyond it float32 ends.
 _BRIGHTEST = 1e30
 _RGB = ("red", "green", "blue")
@@ -26,6 +32,7 @@ def find(config: Config) -> Iterator[Problem]:
     yield from _together(config)
     yield from _spheres_and_lamps(config)
     most = max((winner.bands for winner in config.winners), default=1)
+    most = max(most, min(config.truth.bands, MOST_BANDS)) if config.scene.masked else most
     if config.scene.clouds:
         yield from _picture(config, "$.scene.clouds.image", config.scene.clouds, mask_bands(most))
     for path, light in _lights(config):
@@ -51,9 +58,9 @@ def _together(config: Config) -> Iterator[Problem]:
         remedy = "Clouds shine alike whatever the sun does. Leave twilight out, or the clouds."
         yield Problem("$.scene.twilight", True, remedy)
     for i, winner in enumerate(config.winners):
-        if scene.masked and winner.bands > _MOST_BANDS:
+        if scene.masked and winner.bands > MOST_BANDS:
             remedy = (
-                f"What hides the sky takes tables of at most {_MOST_BANDS} bands: its products cost seconds and gigabytes."
+                f"What hides the sky takes tables of at most {MOST_BANDS} bands: its products cost seconds and gigabytes."
             )
             yield Problem(f"$.winners[{i}].bands", winner.bands, f"{remedy} Ask for fewer.")
     coloured = [(path, colour(light)) for path, light in _lights(config) if not isinstance(light, ProbeLight)]
@@ -69,21 +76,24 @@ def _together(config: Config) -> Iterator[Problem]:
 
 def _spheres_and_lamps(config: Config) -> Iterator[Problem]:
     """Yield what cannot be seen from the origin."""
+    balls: dict[str, SphereLight | OccluderSection] = {}
+    balls |= {path: light for path, light in _lights(config) if isinstance(light, SphereLight)}
+    balls |= {f"$.scene.occluders[{i}]": occluder for i, occluder in enumerate(config.scene.occluders)}
+    inside = {path: ball for path, ball in balls.items() if not ball.radius <= np.linalg.norm(ball.centre)}
+    for path, ball in inside.items():
+        away = f"its centre is {np.linalg.norm(ball.centre):g} away"
+        yield Problem(f"{path}.radius", ball.radius, f"The receiver, at the origin, lies inside: {away}. Make it smaller.")
     for path, light in _lights(config):
+        if isinstance(light, ProbeLight) or path in inside:
+            continue
         try:
-            if not isinstance(light, ProbeLight):
-                largest = float(np.abs(weights(light, 2)).max())
-                if not largest <= _BRIGHTEST:
-                    yield Problem(
-                        path, light.kind, f"Its weights reach {largest:.3g}. Dim it, or move it away: 1e30 is the most."
-                    )
+            largest = float(np.abs(weights(light, 2)).max())
         except ValueError as error:
             yield Problem(path, light.kind, str(error))
-    for i, occluder in enumerate(config.scene.occluders):
-        try:
-            spherical.half_angles(occluder.centre, occluder.radius)
-        except ValueError as error:
-            yield Problem(f"$.scene.occluders[{i}]", list(occluder.centre), str(error))
+            continue
+        if not largest <= _BRIGHTEST:
+            told = f"Its weights reach {largest:.3g}. Dim it, or move it away: {_BRIGHTEST:g} is the most."
+            yield Problem(path, light.kind, told)
 
 
 def _picture(config: Config, path: str, section: CloudsSection | ProbeLight, needed: int) -> Iterator[Problem]:

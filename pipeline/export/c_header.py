@@ -15,7 +15,7 @@ from pipeline.export.c_rows import Number
 from pipeline.fit.bases import BASES
 from pipeline.fit.maps import MAPS
 from pipeline.light import PREFACTORS
-from pipeline.sphere import lower_hemisphere
+from pipeline.sphere import clamped_cosine, lower_hemisphere
 from pipeline.table import twilight
 from pipeline.table.factor import ClosedForm, Reciprocal
 from pipeline.table.packed import Packed
@@ -173,6 +173,11 @@ def _about(table: Table) -> tuple[str, str, list[str]]:
         notes.append("The zonal window sinc(pi l / bands) (Habel et al. 2008, eq. 5) is in the weights.")
     if table.sun_disc:
         notes.append("The sun's disc, 0.2665 degrees in radius and dimmed by the air, is in the weights.")
+        if table.quantity == "irradiance":
+            lost = 100 * _lobe_error(table.bands)
+            notes.append(
+                f"{table.bands} bands of a surface's cosine give its light to {lost:.2g} % of that of a facing one."
+            )
     elif "sun_zenith" in [axis.name for axis in table.axes]:
         notes.append("The glow about the sun is in the weights, its disc is not: with a disc of your own, add no halo.")
     if table.surroundings:
@@ -187,6 +192,15 @@ def _about(table: Table) -> tuple[str, str, list[str]]:
     if isinstance(table.factor, ClosedForm):
         notes += [f"{name} is {value:.9g} for good." for name, value in table.factor.fixed]
     return quantity, unit, notes
+
+
+def _lobe_error(bands: int) -> float:
+    """Return how far a clamped cosine of so many bands is from its own, at most, as a share of 1."""
+    cosine = np.linspace(-1.0, 1.0, 401)
+    degrees = np.arange(bands)
+    factors = clamped_cosine(bands) * (2 * degrees + 1) / (4 * np.pi)
+    cut = np.polynomial.legendre.legval(cosine, factors)
+    return float(np.abs(cut - np.maximum(cosine, 0.0)).max())
 
 
 def _axes(table: Table, prefix: str, suffix: str, number: Number) -> list[dict[str, object]]:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from pipeline.light.cie import CieGeneral, CieTraditional
+from pipeline.light.cie_general import CieGeneral
+from pipeline.light.cie_traditional import CieTraditional
 from pipeline.light.derived import BlackBox, Fixed, Luminance
 from pipeline.light.mitsuba_sunsky import MitsubaSunsky
 from pipeline.light.perez import Perez

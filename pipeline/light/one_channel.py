@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from typing import ClassVar
+
 import numpy as np
 
-from pipeline.light.protocol import Array
+from pipeline.light.protocol import OPTIONS, Array, Domain
 
 
 class OneChannel:
@@ -24,3 +27,19 @@ class OneChannel:
     def luminance_row(self) -> Array:
         """The one channel is luminance."""
         return np.ones(1)
+
+
+_DOMAINS: Mapping[str, Domain] = {
+    "sun_zenith": Domain(0.0, float(np.pi / 2), "rad", "the standard describes a sun above the horizon"),
+}
+
+
+class Relative(OneChannel):
+    """What the CIE's skies share: the axis of the sun's zenith angle."""
+
+    __pydantic_config__: ClassVar[Mapping[str, object]] = OPTIONS
+
+    @property
+    def domains(self) -> Mapping[str, Domain]:
+        """Sun zenith."""
+        return _DOMAINS

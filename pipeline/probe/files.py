@@ -24,10 +24,14 @@ _JPEG_END = b"\xff\xd9"
 
 @dataclass(frozen=True)
 class Picture:
-    """Linear pixels ``(height, width, channels)`` as the file's radiance unit has them, and the channels' names."""
+    """Linear pixels ``(height, width, channels)`` as the file's radiance unit has them, and the channels' names.
+
+    ``clipped`` is the share of pixels with a whole number at its largest: what was brighter is lost.
+    """
 
     pixels: NDArray[np.float32]
     channels: tuple[str, ...]
+    clipped: float = 0.0
 
 
 def read(path: Path, *, linear: bool = False) -> Picture:
@@ -45,7 +49,7 @@ def read(path: Path, *, linear: bool = False) -> Picture:
     except ImportError as error:
         raise MissingExtraError("Picture files need OpenImageIO: pip install -e '.[images]'.") from error
     if not path.is_file():
-        raise FileNotFoundError(f"{path}: no such file. Give the path of a picture.")
+        raise FileNotFoundError(f"{path}: {'a folder' if path.is_dir() else 'no such file'}. Give the path of a picture.")
     hints = OpenImageIO.ImageSpec()
     # Alpha must not scale the colours beside it.
     hints.attribute("oiio:UnassociatedAlpha", 1)
@@ -67,7 +71,8 @@ def read(path: Path, *, linear: bool = False) -> Picture:
     pixels = np.asarray(stored, dtype=np.float32).reshape(spec.height, spec.width, spec.nchannels)[..., places]
     pixels = _oriented(_displayed(pixels, spec), spec.get_int_attribute("Orientation", 1))
     whole = spec.format.basetype not in (OpenImageIO.HALF, OpenImageIO.FLOAT, OpenImageIO.DOUBLE)
-    return Picture(from_srgb(pixels) if whole and not linear else pixels, names)
+    clipped = float((pixels >= 1.0).any(axis=-1).mean()) if whole else 0.0
+    return Picture(from_srgb(pixels) if whole and not linear else pixels, names, clipped)
 
 
 def read_mask(path: Path) -> Array:

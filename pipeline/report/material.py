@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from pipeline.fit.axes import Axis
 from pipeline.light.protocol import Light
 from pipeline.report.ringing import Study
+from pipeline.table.surroundings import Surroundings
 from pipeline.table.table import Table
 
 Array = NDArray[np.float64]
@@ -67,7 +68,7 @@ class Material:
 
     ``sample`` gives a set's true weights ``(channels, count)``; ``fronts`` the Pareto front of bytes and E_mean,
     ``(points, 2)``, for each number of bands and layout; ``origins`` what the stage of that name found, if it ran;
-    ``ringing`` the study behind the picture ``gibbs``, if it is wanted.
+    ``surroundings`` are by the number of bands; ``ringing`` the study behind the picture ``gibbs``, if it is wanted.
     """
 
     name: str
@@ -92,6 +93,7 @@ class Material:
     environment: Mapping[str, Any]
     keys: Mapping[str, str]
     rule: Mapping[str, Any]
+    surroundings: Mapping[int, Surroundings]
     ringing: Study | None = None
 
     @property

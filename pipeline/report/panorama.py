@@ -40,8 +40,8 @@ def expansion(full: NDArray[np.floating]) -> Array:
 
 def display(radiance: Array, white: float) -> Array:
     """Tone-map linear radiance so that ``white`` is near the top (Reinhard 2002), and encode it as sRGB in [0, 1]."""
-    scaled = np.maximum(radiance, 0.0) * (3.0 / white)
-    mapped = np.clip(scaled / (1.0 + scaled) * (4.0 / 3.0), 0.0, 1.0)
+    scaled = np.maximum(radiance, 0.0) / white
+    mapped = np.clip(scaled / (1.0 + scaled) * 2.0, 0.0, 1.0)
     encoded = to_srgb(mapped)
     return encoded if encoded.shape[-1] == 3 else np.repeat(encoded.mean(axis=-1, keepdims=True), 3, axis=-1)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import itertools
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 import pandas as pd
@@ -20,31 +20,58 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 ALBEDO = 0.25
-GROUNDS: dict[str, Callable[[Array, int], Array]] = {
-    "black ground": lambda weights, _: weights,
-    f"ground of albedo {ALBEDO:g}": lambda weights, bands: sphere.add_ground(weights, ALBEDO, bands),
-    "mirrored sky": sphere.mirror_ground,
-}
 LEAST = "least non-negative"
+# What the least windows keep from being negative.
+_KEPT: dict[str, Literal["radiance", "irradiance"]] = {LEAST: "radiance", "least for irradiance": "irradiance"}
+_ROUNDS = 6
 # Sets in all, about; evenly spaced along each axis, both edges among them.
 _SETS = 49
+# Columns of a panorama from one that is looked at to the next.
+_EACH = 4
+
+
+@dataclass(frozen=True)
+class Ground:
+    """What is below the horizon: added to weights ``(sets, N*N)``, and to a sky's values ``(sets, rows, columns)``.
+
+    ``values`` also takes the irradiance on the horizontal, ``(sets,)``.
+    """
+
+    weights: Callable[[Array, int], Array]
+    values: Callable[[Array, Array], Array]
+
+
+def _lit(values: Array, irradiance: Array) -> Array:
+    out = values.copy()
+    out[:, values.shape[1] // 2 :] = (ALBEDO / np.pi * irradiance)[:, np.newaxis, np.newaxis]
+    return out
+
+
+GROUNDS = {
+    "black ground": Ground(lambda weights, _: weights, lambda values, _: values),
+    f"ground of albedo {ALBEDO:g}": Ground(lambda weights, bands: sphere.add_ground(weights, ALBEDO, bands), _lit),
+    "mirrored sky": Ground(sphere.mirror_ground, lambda values, _: values + values[:, ::-1]),
+}
 
 
 @dataclass(frozen=True)
 class Ringing:
     """Figures over all sets, each ``(grounds, windows, bands)``: fractions of each set's brightest sky, or of the sphere.
 
-    ``undershoot`` is the largest of all sets, ``area`` the largest part of the sphere that is negative, ``peak`` the
-    brightest value's change, mean over sets, negative where the peak is lost. ``worst`` ``(grounds, bands)`` is the set of
-    the largest undershoot without a window. The window ``LEAST``, last, is that of each ground's worst set, at that set.
+    ``undershoot`` and ``overshoot`` are the largest of all sets: below 0, and above the scene itself; ``area`` is the
+    largest part of the sphere that is negative, ``peak`` the brightest value's change, mean over sets, negative where the
+    peak is lost. ``worst`` are the sets of the largest undershoots. ``smoothing`` ``(grounds, 2, bands)`` is that of the
+    least windows, the last two.
     """
 
     bands: tuple[int, ...]
     windows: tuple[str, ...]
     undershoot: Array
+    overshoot: Array
     area: Array
     peak: Array
     worst: NDArray[np.int64]
+    smoothing: Array
 
 
 @dataclass(frozen=True)
@@ -75,14 +102,23 @@ def study(material: Material) -> Study | None:
     sets = np.array(list(itertools.product(*(np.linspace(axis.low, axis.high, each) for axis in material.axes))))
     weights = np.stack([_luminance(material, values, row) for values in sets])
     names = tuple(axis.name for axis in material.axes)
-    brightest = np.array([(panorama.sky(material.light, values, names) @ row).max() for values in sets])
-    return Study(sets, weights, brightest, measure(weights, brightest, bands))
+    skies = np.stack([panorama.sky(material.light, values, names) @ row for values in sets])
+    return Study(sets, weights, skies.max(axis=(1, 2)), measure(weights, skies, bands))
 
 
-def csv(found: Ringing) -> bytes:
-    """Return one row a ground, window and number of bands; fractions, to four significant digits."""
+def csv(material: Material) -> bytes:
+    """Return one row a ground, window and number of bands; fractions, to four significant digits, and the worst set."""
+    if material.ringing is None:
+        raise ValueError("There is no study of ringing. Ask for the picture gibbs.")
+    found, sets = material.ringing.found, material.ringing.sets
     index = pd.MultiIndex.from_product((GROUNDS, found.windows, found.bands), names=("ground", "window", "bands"))
-    columns = {"undershoot": found.undershoot, "negative_area": found.area, "peak_change": found.peak}
+    columns = {
+        "undershoot": found.undershoot,
+        "overshoot": found.overshoot,
+        "negative_area": found.area,
+        "peak_change": found.peak,
+        **{f"{axis.name}_at_undershoot": sets[found.worst][..., i] for i, axis in enumerate(material.axes)},
+    }
     frame = pd.DataFrame({name: values.ravel() for name, values in columns.items()}, index=index)
     return frame.to_csv(float_format="%.4g", lineterminator="\n").encode()
 
@@ -99,41 +135,63 @@ def windows(bands: int) -> dict[str, Array]:
         "no window": np.ones(bands * bands),
         "zonal sinc (eq. 5)": sphere.zonal_sinc(bands),
         "sinc (Lanczos)": sphere.lanczos_window(bands)[degrees],
+        "sinc cubed": sphere.sinc_window(bands, power=3.0)[degrees],
         "Hann": sphere.hann_window(bands)[degrees],
     }
 
 
-def least_window(weights: Array, bands: int) -> Array:
-    """Return the least window ``(N*N,)`` that leaves one expansion nowhere negative."""
+def tried(found: Ringing, ground: int, band: int) -> dict[str, Array]:
+    """Return all windows ``(N*N,)`` by name, the least ones of that ground and number of bands (indices) among them."""
+    bands = found.bands[band]
     degrees, _ = sphere.degrees_orders(bands)
-    return sphere.laplacian_window(bands, float(sphere.smallest_window(weights)))[degrees]
+    least = {name: sphere.laplacian_window(bands, found.smoothing[ground, k, band])[degrees] for k, name in enumerate(_KEPT)}
+    return windows(bands) | least
 
 
-def measure(weights: Array, brightest: Array, bands: tuple[int, ...]) -> Ringing:
-    """Measure ringing of luminance weights ``(sets, N*N)``, black below the horizon, against ``brightest`` ``(sets,)``.
+def measure(weights: Array, skies: Array, bands: tuple[int, ...]) -> Ringing:
+    """Measure ringing of luminance weights ``(sets, N*N)``, black below the horizon, against ``skies`` themselves.
 
-    ``bands`` are the numbers of bands to cut to, from 2 to N.
+    ``skies`` ``(sets, rows, columns)`` are their values as a panorama; ``bands`` the numbers of bands to cut to, from 2 to
+    N.
     """
-    view = panorama.directions()[:, ::4].reshape(-1, 3)
-    rows = sphere.basis(view, max(bands))
+    view = panorama.directions()[:, ::_EACH]
+    rows = sphere.basis(view.reshape(-1, 3), max(bands))
     # Rows of a panorama are bands of equal altitude: their area goes with its cosine.
-    areas = np.hypot(view[:, 0], view[:, 1])
+    areas = np.hypot(view[..., 0], view[..., 1]).ravel()
     areas /= areas.sum()
-    names = (*windows(1), LEAST)
+    names = (*windows(1), *_KEPT)
     shape = (len(GROUNDS), len(names), len(bands))
-    undershoot, area, peak = np.empty(shape), np.empty(shape), np.empty(shape)
-    worst = np.empty((len(GROUNDS), len(bands)), dtype=np.int64)
-    for b, count in enumerate(bands):
-        for g, ground in enumerate(GROUNDS.values()):
-            lit = ground(weights[:, : count * count], count)
-            for w, window in enumerate((*windows(count).values(), None)):
-                at = np.arange(len(lit)) if window is not None else worst[g, b : b + 1]
-                factors = least_window(lit[at[0]], count) if window is None else window
-                values = (lit[at] * factors) @ rows[:, : count * count].T
-                low = -values.min(axis=1) / brightest[at]
-                if w == 0:
-                    worst[g, b] = low.argmax()
+    undershoot, overshoot, area, peak = (np.empty(shape) for _ in range(4))
+    smoothing = np.empty((len(GROUNDS), len(_KEPT), len(bands)))
+    found = Ringing(bands, names, undershoot, overshoot, area, peak, np.empty(shape, dtype=np.int64), smoothing)
+    brightest = skies.max(axis=(1, 2))
+    irradiance = np.sqrt(4 * np.pi / 3) * weights[:, 2]
+    for g, ground in enumerate(GROUNDS.values()):
+        scene = ground.values(skies[:, :, ::_EACH], irradiance).reshape(len(skies), -1)
+        for b, count in enumerate(bands):
+            lit = ground.weights(weights[:, : count * count], count)
+            cut = rows[:, : count * count].T
+            smoothing[g, :, b] = [_least(lit, cut, keep) for keep in _KEPT.values()]
+            for w, window in enumerate(tried(found, g, b).values()):
+                values = (lit * window) @ cut
+                low = -values.min(axis=1) / brightest
+                found.worst[g, w, b] = low.argmax()
                 undershoot[g, w, b] = max(float(low.max()), 0.0)
+                overshoot[g, w, b] = max(float(((values - scene).max(axis=1) / brightest).max()), 0.0)
                 area[g, w, b] = float(((values < 0) @ areas).max())
-                peak[g, w, b] = float((values.max(axis=1) / brightest[at]).mean()) - 1
-    return Ringing(bands, names, undershoot, area, peak, worst)
+                peak[g, w, b] = float((values.max(axis=1) / brightest).mean()) - 1
+    return found
+
+
+def _least(lit: Array, cut: Array, keep: Literal["radiance", "irradiance"]) -> float:
+    """Return a smoothing that leaves no set negative: the largest of those that the worst sets need, one after another."""
+    bands = sphere.bands_of(lit)
+    kept = sphere.scale_degrees(lit, sphere.clamped_cosine(bands)) if keep == "irradiance" else lit
+    smoothing = 0.0
+    for _ in range(_ROUNDS):
+        low = (sphere.scale_degrees(kept, sphere.laplacian_window(bands, smoothing)) @ cut).min(axis=1) / kept[:, 0]
+        needed = float(sphere.smallest_window(lit[low.argmin()], keep))
+        if needed <= smoothing:
+            break
+        smoothing = needed
+    return smoothing

@@ -14,6 +14,9 @@ from pipeline.sphere._indexing import bands_of, check_bands, degrees_orders
 
 Array = NDArray[np.float64]
 
+# Of the square of a length.
+_UNIT = 2e-6
+
 
 def legendre(cos_theta: Array, sin_theta: Array, bands: int) -> Array:
     """Evaluate the normalised associated Legendre factors ``Pbar_lm`` for all l < bands, 0 <= m <= l.
@@ -48,9 +51,15 @@ def basis(directions: Array, bands: int, *, mirrored: bool = False) -> Array:
     """Evaluate the SH basis at unit vectors.
 
     ``directions`` has shape ``(..., 3)``. Returns ``(..., N*N)`` in flat order ``l*(l+1)+m``, or
-    ``(..., N(N+1)/2)`` with the orders m >= 0 alone where ``mirrored``.
+    ``(..., N(N+1)/2)`` with the orders m >= 0 alone where ``mirrored``. Raises ValueError where a length is not 1 to a
+    millionth.
     """
+    check_bands(bands)
     x, y, z = np.moveaxis(np.asarray(directions, dtype=np.float64), -1, 0)
+    square = x * x + y * y + z * z
+    if not np.all(np.abs(square - 1.0) < _UNIT):
+        length = float(np.sqrt(square[~(np.abs(square - 1.0) < _UNIT)].flat[0]))
+        raise ValueError(f"Invalid direction of length {length!r}. Should be a unit vector: divide it by its length.")
     factors = legendre(z, np.hypot(x, y), bands)
     phi = np.arctan2(y, x)
     degrees, orders = degrees_orders(bands, mirrored=mirrored)
@@ -63,6 +72,8 @@ def basis(directions: Array, bands: int, *, mirrored: bool = False) -> Array:
 
 def spiral(count: int) -> Array:
     """Return ``count`` unit vectors ``(count, 3)``, spread evenly over the sphere by the golden angle."""
+    if count < 1:
+        raise ValueError(f"Invalid count {count!r}. Should be at least 1.")
     k = np.arange(count) + 0.5
     z, phi = 1.0 - 2.0 * k / count, np.pi * (1.0 + np.sqrt(5.0)) * k
     flat = np.sqrt((1.0 - z) * (1.0 + z))

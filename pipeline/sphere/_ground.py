@@ -36,15 +36,19 @@ def add_ground(
     ``(...)``. The ground's radiance is albedo E / pi. Since nothing shines from below, E, the irradiance on the horizontal,
     is the integral of radiance times z: a multiple of the weight l = 1, m = 0, so that the result is exact. Where something
     does, as a sun half set, ``from_below`` ``(...)`` is the integral of radiance times -z below the horizon. Raises
-    ValueError for one band.
+    ValueError for one band, and for an albedo outside [0, 1].
     """
+    share = np.asarray(albedo, dtype=np.float64)
+    if not np.all((share >= 0.0) & (share <= 1.0)):
+        wrong = float(share[~((share >= 0.0) & (share <= 1.0))].flat[0])
+        raise ValueError(f"Invalid albedo {wrong!r}. Should be from 0 to 1.")
     if bands < 2:
         raise ValueError("One band does not tell the irradiance on the ground. Give at least two bands.")
     degrees, orders = degrees_orders(bands, mirrored=mirrored)
     zonal = np.flatnonzero(orders == 0)
     irradiance = math.sqrt(4 * math.pi / 3) * weights[..., zonal[1]] + np.asarray(from_below)
     out = np.array(weights, dtype=np.float64)
-    ground = np.asarray(albedo) * irradiance / math.pi
+    ground = share * irradiance / math.pi
     out[..., zonal] += ground[..., np.newaxis] * lower_hemisphere(bands)[degrees[zonal]]
     return out
 

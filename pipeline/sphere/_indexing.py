@@ -50,14 +50,15 @@ def unmirror(weights: NDArray[np.floating], bands: int) -> NDArray[np.floating]:
 
 
 def check_bands(bands: int) -> None:
-    """Raise ValueError unless ``bands`` is at least 1."""
-    if bands < 1:
+    """Raise ValueError unless ``bands`` is a whole number of at least 1."""
+    if isinstance(bands, bool) or not isinstance(bands, int | np.integer) or bands < 1:
         raise ValueError(f"Invalid number of bands {bands!r}. Should be an integer of at least 1.")
 
 
 def bands_of(weights: NDArray[np.floating]) -> int:
     """Return N of weights ``(..., N*N)``. Raises ValueError where the last axis holds no square number."""
-    size = int(weights.shape[-1]) if weights.ndim else 0
+    shape = np.shape(weights)
+    size = int(shape[-1]) if shape else 0
     bands = math.isqrt(size)
     if bands < 1 or bands * bands != size:
         raise ValueError(f"{size} weights are not a square number N*N of bands. Should be the last axis, 1, 4, 9, ... long.")

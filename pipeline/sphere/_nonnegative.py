@@ -54,9 +54,12 @@ def smallest_window(weights: NDArray[np.floating], keep: Literal["radiance", "ir
 def minimum(weights: NDArray[np.floating]) -> tuple[Array, Array]:
     """Return the least values ``(...)`` of expansions ``(..., N*N)`` and the unit vectors ``(..., 3)`` where they are.
 
-    A grid finer than the highest degree, and Newton steps from each of its local minima.
+    A grid finer than the highest degree, and Newton steps from each of its local minima. Raises ValueError for a weight
+    that is not finite.
     """
     bands = bands_of(weights)
+    if not np.all(np.isfinite(weights)):
+        raise ValueError(f"Invalid weight {float(weights[~np.isfinite(weights)].flat[0])!r}. Should be finite.")
     rows = np.asarray(weights, dtype=np.float64).reshape(-1, bands * bands)
     found = [_minima(row, bands) for row in rows]
     best = [int(np.argmin(values)) for values, _ in found]

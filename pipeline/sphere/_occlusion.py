@@ -56,7 +56,11 @@ def cover(
 
     ``weights`` ``(..., N*N)`` and ``opacity`` ``(F*F,)`` are expansions, the opacity's of values in [0, 1]; ``colour``,
     the clouds' own radiance, broadcasts to ``(...)``. Returns ``bands`` bands; N if left out. An occluder is a black cloud.
+    Raises ValueError for an opacity or a colour that is not finite.
     """
+    for what, values in (("opacity", opacity), ("colour", np.asarray(colour, dtype=np.float64))):
+        if not np.all(np.isfinite(values)):
+            raise ValueError(f"Invalid {what} {float(values[~np.isfinite(values)].flat[0])!r}. Should be finite.")
     bands = bands_of(weights) if bands is None else bands
     out = -product(opacity, weights, bands)
     light, clouds = min(bands, bands_of(weights)) ** 2, min(bands, bands_of(opacity)) ** 2

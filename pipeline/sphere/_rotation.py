@@ -16,11 +16,17 @@ def rotate_azimuth(weights: NDArray[np.floating], azimuth: NDArray[np.floating] 
     """Turn an environment by ``azimuth`` radians about +z, from +x towards +y (Habel et al. 2008, eq. 4).
 
     ``weights`` has shape ``(..., N*N)`` and ``azimuth`` broadcasts against ``(...)``. Exact but for
-    rounding; the result keeps the dtype of ``weights``.
+    rounding; the result keeps the dtype of ``weights``, whole numbers becoming float64. Raises ValueError for an azimuth
+    that is not finite.
     """
     degrees, orders = degrees_orders(bands_of(weights))
+    if not np.issubdtype(weights.dtype, np.floating):
+        weights = weights.astype(np.float64)
+    turn = np.asarray(azimuth, dtype=np.float64)
+    if not np.all(np.isfinite(turn)):
+        raise ValueError(f"Invalid azimuth {float(turn[~np.isfinite(turn)].flat[0])!r}. Should be finite, in radians.")
     partner = degrees * (degrees + 1) - orders
-    angle = np.abs(orders) * np.asarray(azimuth, dtype=np.float64)[..., np.newaxis]
+    angle = np.abs(orders) * turn[..., np.newaxis]
     cosine = np.cos(angle).astype(weights.dtype)
     sine = (np.sign(orders) * np.sin(angle)).astype(weights.dtype)
     return np.asarray(weights * cosine - weights[..., partner] * sine)

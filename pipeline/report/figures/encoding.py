@@ -33,7 +33,7 @@ def draw(material: Material) -> Figure:
     """Draw undershoot over bands, and the four expansions."""
     pictures = _pictures(material)
     row = material.light.luminance_row
-    figure = style.figure(15, 3.8)
+    figure = style.figure(17, 3.2)
     curves, *panels = figure.subplots(1, 1 + len(pictures), width_ratios=(1.5, *(1.0,) * len(pictures)))
     for k, (name, (pixels, sigma)) in enumerate(pictures.items()):
         weights = probe.blur(probe.project(pixels, "equirect", _BANDS[-1]), sigma)
@@ -46,11 +46,12 @@ def draw(material: Material) -> Figure:
                 shown = panorama.display(panorama.expansion(weights[:, : bands * bands]), white)
                 # What is negative is red, since black would hide it.
                 shown[seen < 0.0] = (0.8, 0.1, 0.1)
-                panels[k].imshow(shown, extent=panorama.EXTENT, aspect="auto", interpolation="nearest")
+                panels[k].imshow(shown, extent=panorama.EXTENT, aspect="equal", interpolation="nearest")
         curves.plot(_BANDS, lows, label=name, color=style.SERIES[k], marker=style.MARKERS[k], markersize=4)
         panels[k].set_title(f"{name}\n{_SHOWN} bands, red below 0", fontsize=8)
         panels[k].tick_params(labelsize=7)
         panels[k].set_xlabel("azimuth (degrees)", fontsize=8)
+    panels[0].set_ylabel("altitude (degrees)", fontsize=8)
     curves.yaxis.set_major_formatter(style.percent_ticks())
     curves.axhline(0.0, color="grey", linewidth=0.6)
     curves.set_xlabel("bands")

@@ -9,17 +9,19 @@ from numpy.typing import NDArray
 
 from pipeline.report import panorama, style
 from pipeline.report.material import Material
-from pipeline.report.ringing import GROUNDS, Ringing, least_window, windows
+from pipeline.report.ringing import GROUNDS, LEAST, Ringing, Study, tried
 
 Array = NDArray[np.float64]
 
 _TICKS = (-1.0, -0.3, -0.1, -0.03, 0.0, 0.03, 0.1, 0.3, 1.0)
+_SHOWN = ("no window", "zonal sinc (eq. 5)", LEAST)
 CAPTION = (
     "True luminance expansions cut to so many bands, at about 49 evenly spaced sets of parameters, edges included. First "
     "row: the most negative value of any set and direction; second: the largest part of the sphere that is negative; third: "
-    "by how much the brightest value differs from the sky's own, mean over sets (a smooth expansion cannot hold the sun's "
-    "halo). The least non-negative window is that of the set that rings most, at that set. Below: that set in the bands of "
-    "the recommended table; negative light is purple; the scale is logarithmic beyond 3 %. All numbers: ringing.csv."
+    "the largest excess over the scene itself; fourth: by how much the brightest value differs from the sky's own, mean "
+    "over sets (a smooth expansion cannot hold the sun's halo). The least windows leave no set negative: in radiance, or in "
+    "irradiance. Below: each window at its own worst set, in the bands of the recommended table; negative light is purple; "
+    "the scale is logarithmic beyond 3 %. All numbers: ringing.csv."
 )
 
 
@@ -28,7 +30,7 @@ def draw(material: Material) -> Figure | None:
     study = material.ringing
     if study is None:
         return None
-    figure = style.figure(12, 13)
+    figure = style.figure(12, 15.5)
     # So many panels take a second to be laid out by constraint.
     figure.set_layout_engine("none")
     grid = figure.add_gridspec(2, 1, height_ratios=(2, 1))
@@ -36,20 +38,20 @@ def draw(material: Material) -> Figure | None:
     _curves(above, study.found)
     bands = study.found.bands
     shown = min(max(material.best.table.bands, bands[0]), bands[-1])
-    worst = int(study.found.worst[0, bands.index(shown)])
-    below.suptitle(f"{shown} bands, {material.describe(study.sets[worst])}", fontsize=10)
-    _panoramas(below, study.weights[worst, : shown * shown], float(study.brightest[worst]), shown)
+    below.suptitle(f"{shown} bands", fontsize=10)
+    _panoramas(below, study, material, shown)
     return figure
 
 
 def _curves(figure: SubFigure, found: Ringing) -> None:
-    room = {"left": 0.085, "right": 0.99, "top": 0.965, "bottom": 0.06, "wspace": 0.04, "hspace": 0.06}
-    panels = figure.subplots(3, len(GROUNDS), sharex=True, sharey="row", gridspec_kw=room)
+    room = {"left": 0.085, "right": 0.99, "top": 0.965, "bottom": 0.05, "wspace": 0.04, "hspace": 0.06}
     measures = (
         (found.undershoot, "largest undershoot\n(of the brightest sky)"),
         (found.area, "largest negative part\nof the sphere"),
+        (found.overshoot, "largest overshoot\n(of the brightest sky)"),
         (found.peak, "brightest value\nagainst the sky's"),
     )
+    panels = figure.subplots(len(measures), len(GROUNDS), sharex=True, sharey="row", gridspec_kw=room)
     for k, (line, (values, label)) in enumerate(zip(panels, measures, strict=True)):
         for g, (panel, ground) in enumerate(zip(line, GROUNDS, strict=True)):
             for w, window in enumerate(found.windows):
@@ -65,19 +67,22 @@ def _curves(figure: SubFigure, found: Ringing) -> None:
     panels[0, -1].legend(fontsize=8)
 
 
-def _panoramas(figure: SubFigure, weights: Array, brightest: float, bands: int) -> None:
-    room = {"left": 0.06, "right": 0.88, "top": 0.88, "bottom": 0.1, "wspace": 0.06, "hspace": 0.3}
+def _panoramas(figure: SubFigure, study: Study, material: Material, bands: int) -> None:
+    room = {"left": 0.06, "right": 0.88, "top": 0.88, "bottom": 0.1, "wspace": 0.06, "hspace": 0.32}
     panels = figure.subplots(len(GROUNDS), 3, sharex=True, sharey=True, gridspec_kw=room)
     scale = SymLogNorm(0.03, vmin=-1.0, vmax=1.0)
-    for line, (ground, light) in zip(panels, GROUNDS.items(), strict=True):
-        lit = light(weights, bands)
-        factors = {name: windows(bands)[name] for name in ("no window", "zonal sinc (eq. 5)")}
-        factors["least non-negative"] = least_window(lit, bands)
-        for panel, (window, factor) in zip(line, factors.items(), strict=True):
-            picture = panorama.expansion((lit * factor)[np.newaxis])[..., 0] / brightest
+    found = study.found
+    b, cut = found.bands.index(bands), bands * bands
+    for g, (line, (ground, light)) in enumerate(zip(panels, GROUNDS.items(), strict=True)):
+        lit = light.weights(study.weights[:, :cut], bands)
+        factors = tried(found, g, b)
+        for panel, window in zip(line, _SHOWN, strict=True):
+            at = int(found.worst[g, found.windows.index(window), b])
+            picture = panorama.expansion((lit[at] * factors[window])[np.newaxis])[..., 0] / study.brightest[at]
             image = panel.imshow(picture, extent=panorama.EXTENT, aspect="auto", cmap="PuOr_r", norm=scale)
             low = 100 * min(float(picture.min()), 0.0)
-            panel.set_title(f"{ground}, {window}: lowest {low:.1f} %", fontsize=8)
+            place = material.describe(study.sets[at])
+            panel.set_title(f"{ground}, {window}: lowest {low:.1f} %\n{place}", fontsize=7, parse_math=False)
         line[0].set_ylabel("altitude (°)")
     for panel in panels[-1]:
         panel.set_xlabel("azimuth from the sun (degrees)")

@@ -30,11 +30,18 @@ def draw(material: Material) -> Figure:
     panels = figure.subplots(4, len(columns), squeeze=False, sharex=True, sharey=True)
     for column, (title, values, entry) in enumerate(columns):
         _column(material, list(panels[:, column]), title, values, entry, figure)
-    for row, label in zip(panels[:, 0], ("sky", "SH, true weights", "SH, table", "difference"), strict=True):
+    for row, label in zip(panels[:, 0], _rows(material), strict=True):
         row.set_ylabel(f"{label}\naltitude (degrees)", fontsize=8)
     for panel in panels[-1]:
         panel.set_xlabel("azimuth from the sun (degrees)", fontsize=8)
     return figure
+
+
+def _rows(material: Material) -> tuple[str, ...]:
+    """Return what the rows show."""
+    if material.best.table.quantity == "irradiance":
+        return ("sky (radiance)", "true irradiance", "irradiance, table", "difference")
+    return ("sky", "SH, true weights", "SH, table", "difference")
 
 
 def _column(material: Material, panels: list[Axes], title: str, values: np.ndarray, entry: Entry, figure: Figure) -> None:
@@ -58,7 +65,9 @@ def _column(material: Material, panels: list[Axes], title: str, values: np.ndarr
     image = panels[3].imshow(
         difference, extent=panorama.EXTENT, aspect="auto", cmap=style.SIGNED_MAP, vmin=-reach, vmax=reach
     )
-    figure.colorbar(image, ax=panels[3], orientation="horizontal", label="% of L_min")
+    ticks = np.array([-1.0, -0.5, 0.0, 0.5, 1.0]) * float(f"{reach:.1g}")
+    labels = [f"{tick:.2g}" for tick in ticks]
+    figure.colorbar(image, ax=panels[3], orientation="horizontal", label="% of L_min", ticks=ticks).set_ticklabels(labels)
     for panel in panels:
         panel.tick_params(labelsize=7)
     panels[0].set_title(f"{title}\n{entry.name}, N = {bands}\n{material.describe(values)}", fontsize=8.5, parse_math=False)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
@@ -18,8 +20,11 @@ _AZIMUTHS = (0.0, 120.0, 240.0)
 CAPTION = (
     "Surroundings, which stand still while the sun turns, in the bands of the recommended table: the sky alone, what an "
     "even light would look like through what hides the sky (an occluder's shadow is everything but a cap), and the whole "
-    "scene with its clouds, lights and ground. East in the middle, north to the left of it. All by the same table; few "
-    "bands blur every edge, and all columns are windowed by sinc(l / N), so that ringing does not hide the rest."
+    "scene with its clouds, lights and ground. East in the middle, north to the left of it, the sun a red cross. All by the "
+    "same table; few bands blur every edge, and all columns are windowed by sinc(l / N), so that ringing does not hide the "
+    "rest. What hides the sky acts on as many bands as the table has: the heading tells how far its first bands then are "
+    "from those of a wider sky (relative L2, worst of these suns). A table of more bands, of which a renderer takes the "
+    "first, does better."
 )
 
 
@@ -47,13 +52,38 @@ def draw(material: Material) -> Figure | None:
             # Azimuth rises to the left, as seen from inside.
             panel.imshow(picture[:, ::-1], extent=(180, -180, -90, 90), aspect="auto", interpolation="nearest")
             panel.tick_params(labelsize=7)
+        if material.light.hints.peak_axis:
+            height = 90.0 - float(np.degrees(values[[a.name for a in material.axes].index(material.light.hints.peak_axis)]))
+            for panel in line[::2]:
+                panel.plot((azimuth + 180.0) % 360.0 - 180.0, height, "+", color=style.RED, markersize=9)
         line[0].set_ylabel(f"sun at {azimuth:g}°\naltitude (degrees)", fontsize=8)
     for panel, title in zip(panels[0], ("the sky", "what is seen of an even light", "the scene"), strict=True):
         panel.set_title(title, fontsize=10)
     for panel in panels[-1]:
         panel.set_xlabel("azimuth, from east towards north (degrees)", fontsize=8)
-    figure.suptitle(f"{material.best.name}, {material.describe(values)}", fontsize=10)
+    heading = f"{material.best.name}, {material.describe(values)}"
+    figure.suptitle("\n".join([heading, *_truncation(material, values, azimuths)]), fontsize=10)
     return figure
+
+
+def _truncation(material: Material, values: Array, azimuths: Sequence[float]) -> list[str]:
+    """Return a line that tells how far the first bands are from those of the widest sky; none without a wider one."""
+    table, widest = material.best.table, max(material.surroundings)
+    if widest <= table.bands or table.surroundings is None:
+        return []
+    sky = material.sample(values)
+    sky = np.asarray(sphere.unmirror(sky, material.bands) if material.mirrored else sky)[:, : widest**2]
+    worst = np.zeros(table.bands + 1)
+    for azimuth in azimuths:
+        turned = sphere.rotate_azimuth(sky, np.radians(azimuth))
+        exact = material.surroundings[widest].apply(turned, table.bands)
+        off = table.surroundings.apply(turned[:, : table.bands**2], table.bands) - exact
+        for n in range(1, table.bands + 1):
+            lost = np.linalg.norm(off[:, : n * n], axis=1) / np.linalg.norm(exact[:, : n * n], axis=1)
+            worst[n] = max(worst[n], float(lost.max()))
+    shown = [n for n in (3, 5, 7, 9, 12) if n < table.bands] + [table.bands]
+    told = ", ".join(f"{n}: {style.percent(worst[n])}" for n in shown)
+    return [f"error of the first bands beside a sky of {widest} bands: {told}"]
 
 
 def _picture(weights: NDArray[np.floating]) -> Array:

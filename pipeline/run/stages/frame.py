@@ -28,7 +28,7 @@ def surrounded(config: Config) -> tuple[str, ...]:
     return (SURROUNDINGS,) if config.scene.surrounded else ()
 
 
-def _surroundings(inputs: Inputs) -> dict[int, Surroundings]:
+def surroundings_of(inputs: Inputs) -> dict[int, Surroundings]:
     """Return the surroundings by the number of bands; none where there are none."""
     if SURROUNDINGS not in inputs:
         return {}
@@ -52,5 +52,5 @@ def frame_of(config: Config, inputs: Inputs, *, mirrored: bool) -> Frame:
         scene.ground if isinstance(scene.ground, str) else f"albedo {', '.join(f'{a:g}' for a in scene.ground)}",
         scene.sun_disc,
         scene.twilight,
-        _surroundings(inputs),
+        surroundings_of(inputs),
     )

@@ -20,7 +20,7 @@ from pipeline.run.provenance import drawing, environment, settings
 from pipeline.run.stages import origins
 from pipeline.run.stages.axes import axes_of, variables
 from pipeline.run.stages.files import to_dataset
-from pipeline.run.stages.frame import surrounded
+from pipeline.run.stages.frame import surrounded, surroundings_of
 from pipeline.run.stages.scene import folded
 from pipeline.store.dataset import Dataset
 from pipeline.truth import sampling
@@ -61,7 +61,7 @@ def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
     files = {"errors.csv": errors.csv(material)}
     if "gibbs" in wanted:
         material = replace(material, ringing=ringing.study(material))
-        files |= {"ringing.csv": ringing.csv(material.ringing.found)} if material.ringing else {}
+        files |= {"ringing.csv": ringing.csv(material)} if material.ringing else {}
     shown = []
     for done, name in enumerate(wanted):
         advance(done, len(wanted))
@@ -111,6 +111,7 @@ def _material(config: Config, inputs: Inputs) -> Material:
         environment=environment(),
         keys={name: str(inputs[name].attrs["key"]) for name in (*_INPUTS, *surrounded(config))},
         rule=rule.attrs,
+        surroundings=surroundings_of(inputs),
     )
 
 

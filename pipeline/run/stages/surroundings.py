@@ -17,7 +17,7 @@ from pipeline.probe import files
 from pipeline.run.executors import Advance
 from pipeline.run.plan import Inputs, Step
 from pipeline.store.dataset import Dataset, Variable
-from pipeline.table.surroundings import PARTS, build, mask_bands
+from pipeline.table.surroundings import MOST_BANDS, PARTS, build, mask_bands
 
 Array = NDArray[np.float64]
 
@@ -42,7 +42,9 @@ def steps(config: Config) -> list[Step]:
 
 
 def _bands(config: Config) -> list[int]:
-    return sorted({winner.bands for winner in config.winners})
+    """Return the winners' numbers of bands, and that of a wider sky to hold their products against."""
+    asked = {winner.bands for winner in config.winners}
+    return sorted(asked | {min(config.truth.bands, MOST_BANDS)} if config.scene.masked else asked)
 
 
 def _make(config: Config, _: Inputs, advance: Advance) -> Dataset:

@@ -26,7 +26,7 @@
  *
  * Provenance
  *   config preetham, table 7-bands-0.005pct-packed
- *   selection efecdc43a5397766b1865d97152172a775c91310cbd28b7653133f94262bdd20
+ *   selection ac25cefb5a2ef29f0a5ca05d6ddf70684994b2961bcbcc71e70bb5f8b2998ce2
  *   python 3.11.7, numpy 2.4.6, scipy 1.17.1, h5py 3.16.0, dask 2026.8.0
  *   x86_64: AVX512_ICL X86_V2 X86_V3 X86_V4
  */
