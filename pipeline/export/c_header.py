@@ -10,12 +10,12 @@ import numpy as np
 from jinja2 import Environment, PackageLoader, StrictUndefined, Template, select_autoescape
 
 from pipeline import __version__
-from pipeline.export import c_rows
+from pipeline.export import c_comment, c_rows
 from pipeline.export.c_rows import Number
 from pipeline.fit.bases import BASES
 from pipeline.fit.maps import MAPS
 from pipeline.light import PREFACTORS
-from pipeline.sphere import clamped_cosine, lower_hemisphere
+from pipeline.sphere import lower_hemisphere
 from pipeline.table import twilight
 from pipeline.table.factor import ClosedForm, Reciprocal
 from pipeline.table.packed import Packed
@@ -60,33 +60,31 @@ def write(table: Table, facts: Facts, prefix: str = "skylight_sh") -> str:
     azimuth = [] if table.azimuth is not None else ["sun_azimuth"]
     inputs = [names[0], *azimuth, *names[1:]]
     middle = {axis.name: _single(float(f"{(axis.low + axis.high) / 2:.3g}")) for axis in table.axes}
-    quantity, unit, notes = _about(table)
+    unit, notes = c_comment.about(table)
     turned = "0.0f" if table.azimuth is None else _single(table.azimuth)
     fast = isinstance(table.body, Rows)
     return template("skylight_sh.h.j2").render(
         p=prefix,
         P=prefix.upper(),
         version=__version__,
-        title=_comment(facts.title),
+        title=c_comment.safe(facts.title),
         example=", ".join(middle.get(name, "0.0f") for name in inputs),
-        inputs=input_lines(table) + [f"{name}: any finite angle, rad" for name in azimuth],
+        inputs=c_comment.input_lines(table) + [f"{name}: any finite angle, rad" for name in azimuth],
         channels=table.channels,
-        quantity=quantity,
         unit=unit,
         notes=notes,
         twilight=_twilight(table, number),
         around=_around(table, number),
         fixed_azimuth=table.azimuth is not None,
         windowed=table.windowed,
-        ground=_below(table),
         ground_added=_lower(table),
         e_mean=facts.e_mean,
         e_max=facts.e_max,
-        l_min=_L_MIN.get(facts.l_min, _comment(facts.l_min)),
+        l_min=_L_MIN.get(facts.l_min, c_comment.safe(facts.l_min)),
         least=facts.least,
         bytes=table.bytes,
         about_layout="laid out for speed" if fast else "packed into few bytes (a fast table takes more and less time)",
-        provenance=[_comment(line) for line in facts.provenance],
+        provenance=[c_comment.safe(line) for line in facts.provenance],
         bands=table.bands,
         real="double" if double else "float",
         fn={"cos": f"cos{suffix}", "sin": f"sin{suffix}"},
@@ -111,15 +109,6 @@ def write(table: Table, facts: Facts, prefix: str = "skylight_sh") -> str:
     )
 
 
-def input_lines(table: Table) -> list[str]:
-    """Return the axes with their ranges and units, a line each."""
-    units = ["" if axis.unit == "1" else axis.unit for axis in table.axes]
-    return [
-        f"{axis.name}: [{low:.9g}, {high:.9g}] {unit}".rstrip()
-        for axis, (low, high), unit in zip(table.axes, table.ranges, units, strict=True)
-    ]
-
-
 def _twilight(table: Table, number: Number) -> dict[str, str] | None:
     """Return the numbers of the fade; the horizon in two parts, since float32 pi / 2 exceeds pi / 2."""
     if not table.twilight:
@@ -140,14 +129,6 @@ def _around(table: Table, number: Number) -> dict[str, list[str]] | None:
     return {name: [number(v) for v in getattr(found, name).ravel().tolist()] for name in PARTS}
 
 
-def _below(table: Table) -> str:
-    """Return in words what is below the horizon."""
-    lit = f"an even ground of {table.ground}, lit by the sky{' and the sun' if table.sun_disc else ''}"
-    if table.surroundings and table.surroundings.below.size:
-        lit = lit.replace("the sky", "what of the sky is seen")
-    return {"black": "black", "mirror": "the sky's mirror image"}.get(table.ground, lit)
-
-
 def _lower(table: Table) -> list[str]:
     """Return the zonal weights of an even ground, where one can be added to the table's weights at run time."""
     around = table.surroundings
@@ -159,48 +140,6 @@ def _lower(table: Table) -> list[str]:
 def template(name: str) -> Template:
     """Return a template of C text."""
     return _TEMPLATES.get_template(name)
-
-
-def _about(table: Table) -> tuple[str, str, list[str]]:
-    """Return what the weights are, their unit, and what else a reader must know."""
-    notes = []
-    if table.quantity == "irradiance":
-        quantity, unit = "diffuse irradiance E(n) = sum of w * y(n), luminance-scaled lux", "lx"
-        notes.append("E is not divided by pi: a white diffuse surface reflects E / pi. Bands l = 3, 5, .. carry none of it.")
-    else:
-        quantity, unit = "linear radiance, luminance-scaled cd/m2", "cd/m2"
-    if table.windowed:
-        notes.append("The zonal window sinc(pi l / bands) (Habel et al. 2008, eq. 5) is in the weights.")
-    if table.sun_disc:
-        notes.append("The sun's disc, 0.2665 degrees in radius and dimmed by the air, is in the weights.")
-        if table.quantity == "irradiance":
-            lost = 100 * _lobe_error(table.bands)
-            notes.append(
-                f"{table.bands} bands of a surface's cosine give its light to {lost:.2g} % of that of a facing one."
-            )
-    elif "sun_zenith" in [axis.name for axis in table.axes]:
-        notes.append("The glow about the sun is in the weights, its disc is not: with a disc of your own, add no halo.")
-    if table.surroundings:
-        notes.append("The scene's surroundings are in the weights: what hides part of the sky, and what shines beside it.")
-        notes.append(
-            f"The accuracy below is the sky's alone; E_mean grows by no more than {table.surroundings.gain:.3g} times."
-        )
-    if table.twilight:
-        notes.append("Below the horizon the light of a sun on it fades: (1 - x)^10 (1 + 10 x), x = depth / 12 degrees.")
-    if table.azimuth is not None:
-        notes.append(f"The sun's azimuth is {table.azimuth:.9g} rad for good.")
-    if isinstance(table.factor, ClosedForm):
-        notes += [f"{name} is {value:.9g} for good." for name, value in table.factor.fixed]
-    return quantity, unit, notes
-
-
-def _lobe_error(bands: int) -> float:
-    """Return how far a clamped cosine of so many bands is from its own, at most, as a share of 1."""
-    cosine = np.linspace(-1.0, 1.0, 401)
-    degrees = np.arange(bands)
-    factors = clamped_cosine(bands) * (2 * degrees + 1) / (4 * np.pi)
-    cut = np.polynomial.legendre.legval(cosine, factors)
-    return float(np.abs(cut - np.maximum(cosine, 0.0)).max())
 
 
 def _axes(table: Table, prefix: str, suffix: str, number: Number) -> list[dict[str, object]]:
@@ -287,11 +226,6 @@ def _double(value: float) -> str:
 def _pointed(text: str) -> str:
     """Add the point without which a C number is no floating one."""
     return text if any(c in text for c in ".en") else text + ".0"
-
-
-def _comment(text: str) -> str:
-    """Keep text from ending the comment that holds it."""
-    return text.replace("*/", "* /").replace("\n", " ")
 
 
 _TEMPLATES = Environment(

@@ -11,7 +11,8 @@ from itertools import product
 import numpy as np
 
 from pipeline import __version__, sphere
-from pipeline.export.c_header import PREFIX, Facts, input_lines, template
+from pipeline.export.c_comment import input_lines
+from pipeline.export.c_header import PREFIX, Facts, template
 from pipeline.export.shader_dialects import DIALECTS, Dialect, check_prefix, expression, number
 from pipeline.fit.maps import MAPS
 from pipeline.light import PREFACTORS

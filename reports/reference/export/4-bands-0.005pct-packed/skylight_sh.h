@@ -12,10 +12,10 @@
  *   turbidity: [2.5, 6]
  *   sun_azimuth: any finite angle, rad
  * Output
- *   w[channel][l*(l+1)+m], channels red, green, blue: linear radiance, luminance-scaled cd/m2. Real orthonormal spherical harmonics
- *   without the Condon-Shortley sign, z up, m > 0 cosine, m < 0 sine; the azimuth turns from +x towards +y. Below the
- *   horizon: black. Returns 0; 1 where an input lay outside its range and was clamped; 2 (weights zeroed) where one
- *   was NaN or the azimuth infinite.
+ *   w[channel][l*(l+1)+m], channels red, green, blue: linear radiance, luminance-scaled cd/m2. Real orthonormal spherical
+ *   harmonics without the Condon-Shortley sign, z up, m > 0 cosine, m < 0 sine; the azimuth turns from +x towards +y.
+ *   Below the horizon: black. Returns 0; 1 where an input lay outside its range and was clamped; 2 (weights zeroed) where
+ *   one was NaN or the azimuth infinite.
  *   The glow about the sun is in the weights, its disc is not: with a disc of your own, add no halo.
  *   Define SKYLIGHT_SH_EXPOSURE before this file to multiply all weights (1 by default).
  *
