@@ -159,7 +159,7 @@ def export(
     except ValueError as error:
         raise BadInputError(str(error)) from error
     if made.nights:
-        fate = "left out" if night == "skip" else "written as zeros"
+        fate = "left out" if night == "skip" else "written without a sky"
         depth = "12 degrees below" if loaded.table.twilight else "below"
         click.echo(f"{made.nights} times with the sun {depth} the horizon are {fate}.")
     click.echo(f"{len(made.times)} skies  {output}")

@@ -46,7 +46,7 @@ def brute_force(theta: float, tau: float) -> Array:
     ("theta", "tau"), [(0.0, 2.5), (0.7, 3.0), (1.3, 6.0), (math.radians(89.9), 2.5), (math.pi / 2, 2.5), (math.pi / 2, 6.0)]
 )
 def test_the_ground_reflects_what_sky_and_sun_send_down(theta: float, tau: float) -> None:
-    """Albedo / pi times the irradiance by brute force, to a millionth; twelve bands tell the ground from the sky."""
+    """Albedo / pi times the irradiance by brute force, to a millionth."""
     albedo = [0.1, 0.2, 0.3]
     sets = np.array([[[theta, tau]]])
     job = sampling.Job(Preetham(), ("sun_zenith", "turbidity"), sets, 160, 4, mirrored=True, rule="sun-centred")

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import re
 import subprocess
 import sys
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -15,6 +17,7 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from pipeline import runtime, sphere
+from pipeline.config.problems import usable
 from pipeline.export import c_header, npz
 from pipeline.fit.axes import Axis
 from pipeline.run.runner import Result
@@ -286,3 +289,19 @@ print(runtime.load({str(path)!r}).weights(0.8, 0.0, 3.0).shape)
 """
     done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=False)
     assert done.stdout.strip() == "(3, 16)", done.stderr
+
+
+def test_names_of_axes_that_headers_use_are_refused(small_run: Result, tmp_path: Path) -> None:
+    """A header compiles with an axis of any name that is let through, those that occur in it among them."""
+    text = re.sub(r"/\*.*?\*/", "", (small_run.folder / "export" / "skylight_sh.h").read_text(encoding="utf-8"), flags=re.S)
+    table = npz.read(small_run.folder / "export" / "skylight_sh.npz")
+    words = sorted({w for w in re.findall(r"[a-z][a-z0-9_]+", text) if not w.startswith("skylight")} | {"haze", "hour"})
+    allowed = [w for w in words if usable(w) and w != table.axes[0].name]
+    assert {"haze", "hour"} <= set(allowed)
+    for word in allowed:
+        axes = (table.axes[0], replace(table.axes[1], name=word))
+        header = c_header.write(replace(table, axes=axes, factor=None), FACTS)
+        (tmp_path / f"{word}.c").write_text(f"{header}\nint main(void) {{ return 0; }}\n", encoding="utf-8")
+    files = [str(tmp_path / f"{word}.c") for word in allowed]
+    done = subprocess.run(["gcc", "-std=c99", "-fsyntax-only", *files], capture_output=True, text=True, check=False)
+    assert done.stderr == ""

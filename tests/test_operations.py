@@ -100,12 +100,12 @@ def test_a_matrix_typed_with_seven_digits_turns_as_the_nearest_rotation() -> Non
     assert max(np.abs(block @ block.T - np.eye(len(block))).max() for block in found) < 1e-14
 
 
-# Windows
-
-
 def test_whole_numbers_turn_like_others() -> None:
     whole = np.array([1, 2, 3, 4])
     assert sphere.rotate_azimuth(whole, 0.5) == pytest.approx(sphere.rotate_azimuth(whole.astype(float), 0.5), abs=1e-15)
+
+
+# Windows
 
 
 def test_windows_have_their_closed_forms() -> None:

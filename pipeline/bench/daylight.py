@@ -9,7 +9,7 @@ from pipeline.truth import daylight
 
 TEXT = (
     "Illuminance in lux on the horizontal: the Preetham sky, its sun's disc, and both, beside IES RP-21 (1984) for a clear "
-    "day, a regression over measurements that has no turbidity. Above the atmosphere the sun gives 127.5 klx."
+    f"day, a regression over measurements without turbidity. Above the atmosphere the sun gives {daylight.SOLAR:,.0f} lx."
 )
 _HEIGHTS = (5, 15, 30, 50, 70, 90)
 _TURBIDITIES = (2.0, 2.5, 3.0, 4.0)

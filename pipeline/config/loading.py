@@ -88,27 +88,15 @@ def _follow(schema: dict[str, Any], location: Sequence[Any], raw: Any) -> tuple[
     for part in location:
         if part == _tag(node) and part not in node.get("properties", {}):
             continue
-        branches = _branches(schema, node)
-        if branches and isinstance(part, str):
-            # A union's own label: the branch that it names, or all that have a key of that name.
-            named = [b for b in branches if part in b.get("properties", {})]
-            if not named:
-                tagged = [b for b in branches if _tag(b) == part]
-                node = tagged[0] if tagged else node
-                continue
-            node = named[0]
+        if isinstance(part, str) and "anyOf" in node and part not in node.get("properties", {}):
+            # pydantic's label of a union's branch.
+            continue
         spelt.append(part)
         raw = raw[part] if (isinstance(raw, dict) and part in raw) or _has(raw, part) else None
         inside = node.get("properties", {}).get(part, {}) if isinstance(part, str) else node.get("items", {}) or node
         description = inside.get("description", description)
         node = _resolve(schema, inside, raw)
     return spelt, {**node, "description": description}
-
-
-def _branches(schema: dict[str, Any], node: dict[str, Any]) -> list[dict[str, Any]]:
-    """Return the alternatives of a union, resolved; nothing for anything else."""
-    found = node.get("anyOf") or node.get("oneOf") or []
-    return [_resolve(schema, branch, None) for branch in found if branch.get("type") != "null"]
 
 
 def _tag(branch: dict[str, Any]) -> object:

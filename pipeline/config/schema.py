@@ -144,7 +144,7 @@ class ReportSection(Section):
 
     figures: tuple[Picture, ...] = Field(
         ("bands", "maps", "panoramas", "ringing", "bytes", "degrees"),
-        description="pictures of the report; origins (of the 2008 paper's error) costs a second of sampling, gibbs another",
+        description="pictures of the report; origins (of the 2008 paper's error) costs a second of sampling, gibbs a few",
     )
     cases: tuple[CaseSection, ...] = Field((), description="parameter sets to show beside the worst one")
 

@@ -21,14 +21,18 @@ Vector = Annotated[tuple[float, float, float], Field(description="[x, y, z]: eas
 Colour = Annotated[
     tuple[Annotated[float, Field(ge=0.0, le=1e12)], ...], Field(description="one number of 0 to 1e12 for each channel")
 ]
+_IMAGE = Field(min_length=1, description="path of a picture from the config's folder, in it or below")
+_LAYOUT = Field(description="how the picture covers the sphere: angular, cube-cross, cube-strip or equirect")
+_RADIANCE = Field(description="cd/m2, a number for each channel")
+_INTENSITY = Field(description="candela where lengths are metres, a number for each channel")
 _RADIUS = Field(gt=0.0, le=1e9, description="above 0, in the unit of its centre, and less than its distance")
 
 
 class CloudsSection(Section):
     """Clouds from a picture: white is opaque, black is clear."""
 
-    image: str = Field(min_length=1, description="path of a picture from the config's folder, in it or below")
-    layout: Layout = Field(description="how the picture covers the sphere: angular, cube-cross, cube-strip or equirect")
+    image: str = _IMAGE
+    layout: Layout = _LAYOUT
     colour: Colour = Field(description="the clouds' own radiance in cd/m2, a number for each channel")
     opacity: float = Field(1.0, ge=0.0, le=1.0, description="what the picture is multiplied with, 0 to 1")
 
@@ -46,7 +50,7 @@ class SphereLight(Section):
     kind: Literal["sphere"]
     centre: Vector
     radius: float = _RADIUS
-    radiance: Colour = Field(description="cd/m2, a number for each channel")
+    radiance: Colour = _RADIANCE
 
 
 class DiscLight(Section):
@@ -55,7 +59,7 @@ class DiscLight(Section):
     kind: Literal["disc"]
     direction: Vector
     half_angle: float = Field(gt=0.0, le=float(np.pi), description="radians, above 0, at most pi")
-    radiance: Colour = Field(description="cd/m2, a number for each channel")
+    radiance: Colour = _RADIANCE
 
 
 class PointLight(Section):
@@ -63,7 +67,7 @@ class PointLight(Section):
 
     kind: Literal["point"]
     centre: Vector
-    intensity: Colour = Field(description="candela where lengths are metres, a number for each channel")
+    intensity: Colour = _INTENSITY
 
 
 class SpotLight(Section):
@@ -74,7 +78,7 @@ class SpotLight(Section):
     axis: Vector = Field(description="[x, y, z]: where it shines")
     inner: float = Field(ge=0.0, description="half-angle of the cone of whole intensity, radians, below outer")
     outer: float = Field(le=float(np.pi), description="half-angle of the cone of no intensity, radians, at most pi")
-    intensity: Colour = Field(description="candela where lengths are metres, a number for each channel")
+    intensity: Colour = _INTENSITY
 
 
 class DirectionalLight(Section):
@@ -89,8 +93,8 @@ class ProbeLight(Section):
     """Captured light: a picture of all directions, linear as a file of floats, or decoded from sRGB."""
 
     kind: Literal["probe"]
-    image: str = Field(min_length=1, description="path of a picture from the config's folder, in it or below")
-    layout: Layout = Field(description="how the picture covers the sphere: angular, cube-cross, cube-strip or equirect")
+    image: str = _IMAGE
+    layout: Layout = _LAYOUT
     brightness: float = Field(1.0, ge=0.0, le=1e12, description="cd/m2 of a pixel of value 1")
     blur: float = Field(0.0, ge=0.0, le=float(np.pi), description="Gaussian pre-filter, standard deviation in radians")
 

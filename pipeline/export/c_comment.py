@@ -6,7 +6,9 @@ import textwrap
 
 import numpy as np
 
+from pipeline.light import sun
 from pipeline.sphere import clamped_cosine
+from pipeline.table import twilight
 from pipeline.table.factor import ClosedForm
 from pipeline.table.table import Table
 
@@ -30,7 +32,8 @@ def about(table: Table) -> tuple[str, list[str]]:
     if table.windowed:
         told.append("The zonal window sinc(pi l / bands) (Habel et al. 2008, eq. 5) is in the weights.")
     if table.sun_disc:
-        told.append("The sun's disc, 0.2665 degrees in radius and dimmed by the air, is in the weights.")
+        radius = f"{np.degrees(sun.HALF_ANGLE):.4g} degrees in radius"
+        told.append(f"The sun's disc, {radius} and dimmed by the air, is in the weights.")
         if table.quantity == "irradiance":
             lost = f"{100 * _lobe_error(table.bands):.2g} %"
             told.append(f"{table.bands} bands hold its light on a surface to {lost} of that on one that faces it.")
@@ -42,7 +45,7 @@ def about(table: Table) -> tuple[str, list[str]]:
             f"accuracy below is that of the sky alone; they multiply its E_mean by at most {table.surroundings.gain:.3g}."
         )
     if table.twilight:
-        told.append("Below the horizon the light of a sun on it fades: (1 - x)^10 (1 + 10 x), x = depth / 12 degrees.")
+        told.append(f"Below the horizon the light of a sun on it fades: {twilight.FORMULA}.")
     if table.azimuth is not None:
         told.append(f"The sun's azimuth is {table.azimuth:.9g} rad for good.")
     if isinstance(table.factor, ClosedForm):

@@ -61,7 +61,7 @@ def write(table: Table, facts: Facts, prefix: str = "skylight_sh") -> str:
     inputs = [names[0], *azimuth, *names[1:]]
     middle = {axis.name: _single(float(f"{(axis.low + axis.high) / 2:.3g}")) for axis in table.axes}
     unit, notes = c_comment.about(table)
-    turned = "0.0f" if table.azimuth is None else _single(table.azimuth)
+    turned = None if table.azimuth is None else _single(table.azimuth)
     fast = isinstance(table.body, Rows)
     return template("skylight_sh.h.j2").render(
         p=prefix,
@@ -100,8 +100,8 @@ def write(table: Table, facts: Facts, prefix: str = "skylight_sh") -> str:
         gradient=table.basis == "chebyshev" and not table.twilight,
         factor=_factor(table, number),
         luminance=[_single(v) for v in facts.luminance or [1.0] * len(table.channels)],
-        azimuth=f"({prefix}_real){turned if table.azimuth is not None else 'sun_azimuth'}",
-        azimuth_element=f"({prefix}_real){turned if table.azimuth is not None else 'sun_azimuth[s]'}",
+        azimuth=f"({prefix}_real){turned or 'sun_azimuth'}",
+        azimuth_element=f"({prefix}_real){turned or 'sun_azimuth[s]'}",
         parameters=", ".join(f"float {name}" for name in inputs),
         arguments=", ".join(inputs),
         arrays=", ".join(f"const float *{name}" for name in inputs),
@@ -113,11 +113,11 @@ def _twilight(table: Table, number: Number) -> dict[str, str] | None:
     """Return the numbers of the fade; the horizon in two parts, since float32 pi / 2 exceeds pi / 2."""
     if not table.twilight:
         return None
-    rest = 0.0 if table.dtype == np.float64 else twilight.BEGIN - float(np.float32(twilight.BEGIN))
     return {
         "begin": number(twilight.BEGIN),
-        "rest": number(rest),
+        "rest": number(0.0 if table.dtype == np.float64 else twilight.REST),
         "each": number(1.0 / twilight.DEPTH),
+        "power": str(twilight.POWER),
     }
 
 
@@ -151,7 +151,6 @@ def _axes(table: Table, prefix: str, suffix: str, number: Number) -> list[dict[s
             {
                 "name": axis.name,
                 "map": axis.map,
-                "powers": degree + 1,
                 "terms": degree + 1,
                 # Loops over terms run in fours.
                 "room": -(-(degree + 1) // 4) * 4,

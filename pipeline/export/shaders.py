@@ -191,8 +191,7 @@ def _scale(table: Table, dialect: Dialect, prefix: str) -> list[str]:
     """Return the lines that declare ``scale``, what all weights are multiplied with, where there is such."""
     lines, factors = [], []
     if table.twilight:
-        rest = number(twilight.BEGIN - float(np.float32(twilight.BEGIN)))
-        depth = f"((sun_zenith - {number(twilight.BEGIN)}) - {rest}) * {number(1.0 / twilight.DEPTH)}"
+        depth = f"((sun_zenith - {number(twilight.BEGIN)}) - {number(twilight.REST)}) * {number(1.0 / twilight.DEPTH)}"
         lines += [
             "// Twilight: the share of the horizon's light that a sun below it leaves.",
             dialect.fixed("real", "depth", f"clamp({depth}, 0.0, 1.0)"),

@@ -8,7 +8,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
-CONVENTIONS = ("per-set", "global")
 
 
 @dataclass(frozen=True)

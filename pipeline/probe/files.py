@@ -98,6 +98,11 @@ def from_srgb(encoded: NDArray[np.float32]) -> NDArray[np.float32]:
     return np.where(encoded <= np.float32(0.04045), low, high)
 
 
+def to_srgb(linear: Array) -> Array:
+    """Encode linear values in [0, 1] as sRGB (IEC 61966-2-1); any shape."""
+    return np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
+
+
 def _check_size(path: Path, spec: OpenImageIO.ImageSpec) -> None:
     """Raise ValueError before anything is allocated for a size that no picture has."""
     for width, height in ((spec.width, spec.height), (spec.full_width, spec.full_height)):

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from pipeline import sphere
 from pipeline.fit.axes import Axis
 from pipeline.light.protocol import Light
 from pipeline.report.ringing import Study
@@ -100,6 +101,16 @@ class Material:
     def best(self) -> Entry:
         """The recommended table."""
         return next(entry for entry in self.winners if entry.name == self.recommended)
+
+    @property
+    def middle(self) -> Array:
+        """The middle of all ranges, a parameter set ``(axes,)``."""
+        return np.array([(axis.low + axis.high) / 2 for axis in self.axes])
+
+    def full(self, values: Array) -> Array:
+        """Return a set's true weights ``(channels, N*N)``, all orders among them."""
+        weights = self.sample(values)
+        return np.asarray(sphere.unmirror(weights, self.bands) if self.mirrored else weights, dtype=np.float64)
 
     def describe(self, values: Array, first: int = 0) -> str:
         """Return a parameter set in words, angles in degrees, from the axis ``first`` on."""

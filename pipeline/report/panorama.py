@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from pipeline import sphere
 from pipeline.light.protocol import Light
+from pipeline.probe.files import to_srgb
 
 Array = NDArray[np.float64]
 EXTENT = (-180.0, 180.0, -90.0, 90.0)
@@ -38,14 +39,14 @@ def expansion(full: NDArray[np.floating]) -> Array:
     return np.moveaxis(values.reshape(-1, *view.shape[:2]), 0, -1)
 
 
-def display(radiance: Array, white: float) -> Array:
-    """Tone-map linear radiance so that ``white`` is near the top (Reinhard 2002), and encode it as sRGB in [0, 1]."""
-    scaled = np.maximum(radiance, 0.0) / white
+def white(luminance: Array) -> float:
+    """Return what shows as white: the luminance that a fiftieth of a picture exceeds."""
+    return float(np.quantile(luminance, 0.98))
+
+
+def display(radiance: Array, level: float) -> Array:
+    """Tone-map linear radiance so that ``level`` is the top (Reinhard 2002), and encode it as sRGB in [0, 1]."""
+    scaled = np.maximum(radiance, 0.0) / level
     mapped = np.clip(scaled / (1.0 + scaled) * 2.0, 0.0, 1.0)
     encoded = to_srgb(mapped)
     return encoded if encoded.shape[-1] == 3 else np.repeat(encoded.mean(axis=-1, keepdims=True), 3, axis=-1)
-
-
-def to_srgb(linear: Array) -> Array:
-    """Encode linear values in [0, 1] as sRGB (IEC 61966-2-1); any shape."""
-    return np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
@@ -100,32 +100,25 @@ def study(material: Material) -> Study | None:
     row = material.light.luminance_row
     each = round(_SETS ** (1 / len(material.axes)))
     sets = np.array(list(itertools.product(*(np.linspace(axis.low, axis.high, each) for axis in material.axes))))
-    weights = np.stack([_luminance(material, values, row) for values in sets])
+    weights = np.stack([row @ material.full(values) for values in sets])
     names = tuple(axis.name for axis in material.axes)
     skies = np.stack([panorama.sky(material.light, values, names) @ row for values in sets])
     return Study(sets, weights, skies.max(axis=(1, 2)), measure(weights, skies, bands))
 
 
-def csv(material: Material) -> bytes:
-    """Return one row a ground, window and number of bands; fractions, to four significant digits, and the worst set."""
-    if material.ringing is None:
-        raise ValueError("There is no study of ringing. Ask for the picture gibbs.")
-    found, sets = material.ringing.found, material.ringing.sets
+def csv(study: Study, names: Sequence[str]) -> bytes:
+    """Return one row a ground, window and number of bands: fractions, and the worst set on the axes ``names``."""
+    found = study.found
     index = pd.MultiIndex.from_product((GROUNDS, found.windows, found.bands), names=("ground", "window", "bands"))
     columns = {
         "undershoot": found.undershoot,
         "overshoot": found.overshoot,
         "negative_area": found.area,
         "peak_change": found.peak,
-        **{f"{axis.name}_at_undershoot": sets[found.worst][..., i] for i, axis in enumerate(material.axes)},
+        **{f"{name}_at_undershoot": study.sets[found.worst][..., i] for i, name in enumerate(names)},
     }
     frame = pd.DataFrame({name: values.ravel() for name, values in columns.items()}, index=index)
     return frame.to_csv(float_format="%.4g", lineterminator="\n").encode()
-
-
-def _luminance(material: Material, values: Array, row: Array) -> Array:
-    weights = row @ material.sample(values)
-    return np.asarray(sphere.unmirror(weights, material.bands) if material.mirrored else weights, dtype=np.float64)
 
 
 def windows(bands: int) -> dict[str, Array]:

@@ -55,6 +55,12 @@ def check_bands(bands: int) -> None:
         raise ValueError(f"Invalid number of bands {bands!r}. Should be an integer of at least 1.")
 
 
+def check_finite(what: str, values: NDArray[np.floating]) -> None:
+    """Raise ValueError unless all ``values`` are finite."""
+    if not np.all(np.isfinite(values)):
+        raise ValueError(f"Invalid {what} {float(values[~np.isfinite(values)].flat[0])!r}. Should be finite.")
+
+
 def bands_of(weights: NDArray[np.floating]) -> int:
     """Return N of weights ``(..., N*N)``. Raises ValueError where the last axis holds no square number."""
     shape = np.shape(weights)

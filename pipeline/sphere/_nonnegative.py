@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from pipeline.sphere._basis import basis, spiral
 from pipeline.sphere._convolution import clamped_cosine, scale_degrees
-from pipeline.sphere._indexing import Index, bands_of, degrees_orders
+from pipeline.sphere._indexing import Index, bands_of, check_finite, degrees_orders
 from pipeline.sphere._windows import laplacian_window
 
 Array = NDArray[np.float64]
@@ -39,8 +39,7 @@ def smallest_window(weights: NDArray[np.floating], keep: Literal["radiance", "ir
     if keep not in {"radiance", "irradiance"}:
         raise ValueError(f"Invalid keep {keep!r}. Should be 'radiance' or 'irradiance'.")
     known = np.asarray(weights, dtype=np.float64)
-    if not np.all(np.isfinite(known)):
-        raise ValueError(f"Invalid weight {float(known[~np.isfinite(known)].flat[0])!r}. Should be finite.")
+    check_finite("weight", known)
     if np.any(known[..., 0] < 0):
         raise ValueError(
             f"Invalid mean: weight 0 is {float(known[..., 0].min())!r}. Should be at least 0, as no window changes it; "
@@ -58,8 +57,7 @@ def minimum(weights: NDArray[np.floating]) -> tuple[Array, Array]:
     that is not finite.
     """
     bands = bands_of(weights)
-    if not np.all(np.isfinite(weights)):
-        raise ValueError(f"Invalid weight {float(weights[~np.isfinite(weights)].flat[0])!r}. Should be finite.")
+    check_finite("weight", weights)
     rows = np.asarray(weights, dtype=np.float64).reshape(-1, bands * bands)
     found = [_minima(row, bands) for row in rows]
     best = [int(np.argmin(values)) for values, _ in found]

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pipeline.sphere._basis import basis
-from pipeline.sphere._indexing import bands_of, check_bands
+from pipeline.sphere._indexing import bands_of, check_bands, check_finite
 from pipeline.sphere._product import product
 
 Array = NDArray[np.float64]
@@ -58,9 +58,8 @@ def cover(
     the clouds' own radiance, broadcasts to ``(...)``. Returns ``bands`` bands; N if left out. An occluder is a black cloud.
     Raises ValueError for an opacity or a colour that is not finite.
     """
-    for what, values in (("opacity", opacity), ("colour", np.asarray(colour, dtype=np.float64))):
-        if not np.all(np.isfinite(values)):
-            raise ValueError(f"Invalid {what} {float(values[~np.isfinite(values)].flat[0])!r}. Should be finite.")
+    check_finite("opacity", opacity)
+    check_finite("colour", np.asarray(colour, dtype=np.float64))
     bands = bands_of(weights) if bands is None else bands
     out = -product(opacity, weights, bands)
     light, clouds = min(bands, bands_of(weights)) ** 2, min(bands, bands_of(opacity)) ** 2

@@ -7,7 +7,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pipeline.sphere._indexing import Index, bands_of, degrees_orders
+from pipeline.sphere._indexing import Index, bands_of, check_finite, degrees_orders
 
 Array = NDArray[np.float64]
 
@@ -23,8 +23,7 @@ def rotate_azimuth(weights: NDArray[np.floating], azimuth: NDArray[np.floating] 
     if not np.issubdtype(weights.dtype, np.floating):
         weights = weights.astype(np.float64)
     turn = np.asarray(azimuth, dtype=np.float64)
-    if not np.all(np.isfinite(turn)):
-        raise ValueError(f"Invalid azimuth {float(turn[~np.isfinite(turn)].flat[0])!r}. Should be finite, in radians.")
+    check_finite("azimuth", turn)
     partner = degrees * (degrees + 1) - orders
     angle = np.abs(orders) * turn[..., np.newaxis]
     cosine = np.cos(angle).astype(weights.dtype)

@@ -140,7 +140,7 @@ class Table:
         return [(axis.low, twilight.END if self._sinks(axis) else axis.high) for axis in self.axes]
 
     def fade(self, values: Array) -> Array:
-        """Return what twilight multiplies weights at clamped inputs ``(n, axes)`` with, ``(n,)``: ones without one."""
+        """Return what twilight multiplies weights with at inputs ``(n, axes)``, not clamped, ``(n,)``: ones without one."""
         sinking = [i for i, axis in enumerate(self.axes) if self._sinks(axis)]
         return np.asarray(twilight.fade(values[:, sinking[0]]) if sinking else np.ones(len(values)))
 

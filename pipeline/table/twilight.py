@@ -16,7 +16,11 @@ Floats = NDArray[np.floating]
 BEGIN = float(np.pi / 2)
 DEPTH = float(np.radians(12.0))
 END = BEGIN + DEPTH
+# float32 pi / 2 exceeds pi / 2: the rest of it.
+REST = BEGIN - float(np.float32(BEGIN))
+# Headers and shaders write the power as products: 4 + 4 + 2.
 POWER = 10
+FORMULA = f"(1 - x)^{POWER} (1 + {POWER} x), x = depth / {np.degrees(DEPTH):.3g} degrees"
 # What an evaluation reads: begin and its rest, end, one over the depth.
 NUMBERS = 4
 

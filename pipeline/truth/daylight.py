@@ -6,16 +6,18 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pipeline.light import Preetham, sun
-from pipeline.light.protocol import Light
 from pipeline.truth.fixed import zenith_gauss
 
 Array = NDArray[np.float64]
 
 _NODES = 96
+# Lux above the atmosphere on a surface that faces the sun (IES RP-21, 1984).
+SOLAR = 127_500.0
 
 
-def sky(light: Light, theta: float, tau: float) -> float:
-    """Return the illuminance in lux on the horizontal, to 1e-4 of itself, of a light of ``sun_zenith`` and ``turbidity``."""
+def _sky(theta: float, tau: float) -> float:
+    """Return the Preetham sky's illuminance in lux on the horizontal, to 1e-4 of itself."""
+    light = Preetham()
     directions, solid = zenith_gauss(_NODES)
     radiance = light.radiance(directions, {"sun_zenith": np.array([theta]), "turbidity": np.array([tau])})
     return float((radiance @ light.luminance_row) @ (directions[:, 2] * solid))
@@ -25,7 +27,7 @@ def clear_day(theta: ArrayLike, tau: float) -> tuple[Array, Array]:
     """Return the illuminance in lux of the Preetham sky and of its sun's disc, ``(n,)`` each, for sun zeniths ``(n,)``."""
     zeniths = np.asarray(theta, dtype=np.float64)
     disc = sun.normal_illuminance(zeniths, np.full(zeniths.shape, tau)) * np.cos(zeniths)
-    return np.array([sky(Preetham(), float(t), tau) for t in zeniths]), disc
+    return np.array([_sky(float(t), tau) for t in zeniths]), disc
 
 
 def twilight(depth: ArrayLike) -> Array:
@@ -45,4 +47,4 @@ def published(theta: ArrayLike) -> tuple[Array, Array]:
     A regression over measurements in the United States, m being the air's relative optical mass.
     """
     height = np.cos(np.asarray(theta, dtype=np.float64))
-    return 800.0 + 15_500.0 * np.sqrt(height), 127_500.0 * np.exp(-0.21 * sun.optical_mass(theta)) * height
+    return 800.0 + 15_500.0 * np.sqrt(height), SOLAR * np.exp(-0.21 * sun.optical_mass(theta)) * height

@@ -14,9 +14,9 @@ from pipeline.truth import daylight
 CAPTION = (
     "Illuminance on the horizontal over the sun's height, at the least, a middle and the largest turbidity: the Preetham "
     "sky (published constants), its sun's disc behind the air of the same turbidity, and both. Dotted: IES RP-21 (1984) for "
-    "a clear day, a regression over measurements; dashed: the sun's 127.5 klx above the atmosphere. The model's sky is "
-    "brighter than measured ones, and with a high sun in turbid air brighter than the sun allows. With twilight: the light "
-    "on the horizontal as the sun sinks, beside measurements without a moon (Seidelmann 1992)."
+    f"a clear day, a regression over measurements; dashed: the sun's {daylight.SOLAR / 1000:g} klx above the atmosphere, "
+    "which no clear day can exceed. With twilight: the light on the horizontal as the sun sinks, beside measurements "
+    "without a moon (Seidelmann 1992)."
 )
 
 
@@ -48,7 +48,7 @@ def draw(material: Material) -> Figure | None:
     top = max(panel.get_ylim()[1] for panel in panels[:3])
     for panel in panels[:3]:
         panel.set_ylim(0.0, top)
-    panels[2].plot(height, 127.5 * np.cos(theta), color="grey", linestyle="--", label="above the air")
+    panels[2].plot(height, daylight.SOLAR / 1000 * np.cos(theta), color="grey", linestyle="--", label="above the air")
     panels[2].legend(fontsize=8)
     if sinks:
         _fade(panels[3], {tau: float(parts[0][height == 0.0][0]) for tau, parts in found.items()})

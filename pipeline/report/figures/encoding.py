@@ -7,7 +7,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from pipeline import probe
-from pipeline.probe.files import from_srgb
+from pipeline.probe.files import from_srgb, to_srgb
 from pipeline.report import panorama, style
 from pipeline.report.material import Material
 
@@ -21,11 +21,11 @@ _LAMP = np.array([0.0, np.sqrt(0.5), np.sqrt(0.5)])
 _LAMP_COSINE = np.cos(np.radians(3.0))
 _LAMP_BRIGHTNESS = 100.0
 CAPTION = (
-    "The sky at the middle of all ranges and a lamp of 6 degrees, a hundred times as bright, as a panorama of 256 x 128 "
-    "texels and back: floats; 8 bits of sRGB, decoded, of which the lamp and a fiftieth of the sky are clipped; the same "
-    "taken as linear, which lifts the darks and is no radiance any more; and the floats behind a Gaussian of 20 degrees. "
-    "Undershoot: the most negative luminance over the largest of the same expansion. Files of 8 bits ring less where the "
-    "brightest light was clipped, by losing it."
+    f"The sky at the middle of all ranges and a lamp of 6 degrees, {_LAMP_BRIGHTNESS:g} times as bright as what a fiftieth "
+    f"of the sky exceeds, as a panorama of {2 * _ROWS} x {_ROWS} texels and back: floats; 8 bits of sRGB, decoded, exposed "
+    "for that brightness; the same taken as linear, which lifts the darks and is no radiance any more; and the floats "
+    f"behind a Gaussian of {_BLUR:g} degrees. Undershoot: the most negative luminance over the largest of the same "
+    "expansion."
 )
 
 
@@ -42,7 +42,7 @@ def draw(material: Material) -> Figure:
             seen = panorama.expansion(weights[:, : bands * bands]) @ row
             lows.append(min(float(seen.min()), 0.0) / float(seen.max()))
             if bands == _SHOWN:
-                white = float(np.quantile(seen[: len(seen) // 2], 0.98))
+                white = panorama.white(seen[: len(seen) // 2])
                 shown = panorama.display(panorama.expansion(weights[:, : bands * bands]), white)
                 # What is negative is red, since black would hide it.
                 shown[seen < 0.0] = (0.8, 0.1, 0.1)
@@ -63,18 +63,19 @@ def draw(material: Material) -> Figure:
 def _pictures(material: Material) -> dict[str, tuple[Array, float]]:
     """Return the pictures by name, each with the pre-filter's standard deviation in radians."""
     light = material.light
-    parameters = {axis.name: np.array([(axis.low + axis.high) / 2]) for axis in material.axes}
+    parameters = {axis.name: np.array([value]) for axis, value in zip(material.axes, material.middle, strict=True)}
     floats = probe.render(light, parameters, "equirect", _ROWS, 2 * _ROWS)
-    white = float(np.quantile(floats[: _ROWS // 2] @ light.luminance_row, 0.98))
+    white = panorama.white(floats[: _ROWS // 2] @ light.luminance_row)
     patch = probe.patches("equirect", _ROWS, 2 * _ROWS)[0]
     u, v = ((edges[1:] + edges[:-1]) / 2 for edges in patch.edges())
     floats[patch.chart.directions(u, v[:, np.newaxis]) @ _LAMP > _LAMP_COSINE] = _LAMP_BRIGHTNESS * white
     exposed = floats / white
-    stored = np.rint(255.0 * panorama.to_srgb(np.clip(exposed, 0.0, 1.0))) / 255.0
+    stored = np.rint(255.0 * to_srgb(np.clip(exposed, 0.0, 1.0))) / 255.0
     decoded = from_srgb(stored.astype(np.float32)).astype(np.float64)
+    clipped = float((exposed >= 1.0).any(axis=-1).mean())
     return {
         "floats": (np.maximum(floats, 0.0), 0.0),
-        "8 bits, decoded": (decoded, 0.0),
+        f"8 bits, decoded ({style.percent(clipped)} clipped)": (decoded, 0.0),
         "8 bits, taken as linear": (stored, 0.0),
         f"floats, Gaussian of {_BLUR:g}°": (np.maximum(floats, 0.0), float(np.radians(_BLUR))),
     }

@@ -16,12 +16,12 @@ Array = NDArray[np.float64]
 _TICKS = (-1.0, -0.3, -0.1, -0.03, 0.0, 0.03, 0.1, 0.3, 1.0)
 _SHOWN = ("no window", "zonal sinc (eq. 5)", LEAST)
 CAPTION = (
-    "True luminance expansions cut to so many bands, at about 49 evenly spaced sets of parameters, edges included. First "
-    "row: the most negative value of any set and direction; second: the largest part of the sphere that is negative; third: "
-    "the largest excess over the scene itself; fourth: by how much the brightest value differs from the sky's own, mean "
-    "over sets (a smooth expansion cannot hold the sun's halo). The least windows leave no set negative: in radiance, or in "
-    "irradiance. Below: each window at its own worst set, in the bands of the recommended table; negative light is purple; "
-    "the scale is logarithmic beyond 3 %. All numbers: ringing.csv."
+    "True luminance expansions cut to so many bands, at evenly spaced sets of parameters, edges included. First row: the "
+    "most negative value of any set and direction; second: the largest part of the sphere that is negative; third: the "
+    "largest excess over the scene itself; fourth: by how much the brightest value differs from the sky's own, mean over "
+    "sets (a smooth expansion cannot hold the sun's halo). The least windows leave no set negative: in radiance, or in "
+    "irradiance. Below: three of the windows, each at its own worst set, in the bands of the recommended table; negative "
+    "light is purple; the scale is logarithmic beyond 3 %. All numbers: ringing.csv."
 )
 
 
@@ -36,6 +36,7 @@ def draw(material: Material) -> Figure | None:
     grid = figure.add_gridspec(2, 1, height_ratios=(2, 1))
     above, below = figure.add_subfigure(grid[0]), figure.add_subfigure(grid[1])
     _curves(above, study.found)
+    figure.text(0.01, 0.995, f"{len(study.sets)} sets of parameters", fontsize=8, va="top")
     bands = study.found.bands
     shown = min(max(material.best.table.bands, bands[0]), bands[-1])
     below.suptitle(f"{shown} bands", fontsize=10)

@@ -53,11 +53,11 @@ def _column(material: Material, panels: list[Axes], title: str, values: np.ndarr
         truth = truth * sphere.zonal_sinc(table.bands)[: bands * bands]
     rebuilt = full_weights(table, table.evaluate(values[np.newaxis])[0], bands)
     sky, true, made = panorama.sky(light, values, names), panorama.expansion(truth), panorama.expansion(rebuilt)
-    white = float(np.quantile(sky[: len(sky) // 2] @ light.luminance_row, 0.98))
+    white = panorama.white(sky[: len(sky) // 2] @ light.luminance_row)
     # An even sky's irradiance is pi times its radiance.
     scale = np.pi if table.quantity == "irradiance" else 1.0
     # A sun in the weights outshines the sky.
-    lit = float(np.quantile(true @ light.luminance_row, 0.98)) if table.sun_disc else scale * white
+    lit = panorama.white(true @ light.luminance_row) if table.sun_disc else scale * white
     for panel, picture, level in zip(panels, (sky, true, made), (white, lit, lit), strict=False):
         panel.imshow(panorama.display(picture, level), extent=panorama.EXTENT, aspect="auto", interpolation="nearest")
     difference = 100 * ((made - true) @ light.luminance_row) / (scale * _scale(material, values))

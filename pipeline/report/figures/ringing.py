@@ -22,7 +22,7 @@ def draw(material: Material) -> Figure | None:
     table = material.best.table
     if table.windowed or table.quantity != "radiance":
         return None
-    values = np.array([(axis.low + axis.high) / 2 for axis in material.axes])
+    values = material.middle
     weights = full_weights(table, table.evaluate(values[np.newaxis])[0], table.bands).astype(np.float64)
     row = material.light.luminance_row
     sky = panorama.sky(material.light, values, tuple(a.name for a in material.axes)) @ row

@@ -34,7 +34,7 @@ def draw(material: Material) -> Figure | None:
     around = table.surroundings
     if around is None:
         return None
-    values = next(iter(material.cases.values()), np.array([(axis.low + axis.high) / 2 for axis in material.axes]))
+    values = next(iter(material.cases.values()), material.middle)
     still = full_weights(table, table.evaluate(values[np.newaxis])[0], table.bands).astype(np.float64)
     even = np.zeros_like(still)
     even[:, 0] = np.sqrt(4 * np.pi)
@@ -46,7 +46,7 @@ def draw(material: Material) -> Figure | None:
     for line, azimuth in zip(panels, azimuths, strict=True):
         turned = sphere.rotate_azimuth(still, np.radians(azimuth))
         sky, scene = _picture(turned), _picture(around.apply(turned, table.bands))
-        white = float(np.quantile(sky @ row, 0.98))
+        white = panorama.white(sky @ row)
         pictures = (panorama.display(sky, white), panorama.display(hidden, 1.0), panorama.display(scene, white))
         for panel, picture in zip(line, pictures, strict=True):
             # Azimuth rises to the left, as seen from inside.
@@ -71,8 +71,7 @@ def _truncation(material: Material, values: Array, azimuths: Sequence[float]) ->
     table, widest = material.best.table, max(material.surroundings)
     if widest <= table.bands or table.surroundings is None:
         return []
-    sky = material.sample(values)
-    sky = np.asarray(sphere.unmirror(sky, material.bands) if material.mirrored else sky)[:, : widest**2]
+    sky = material.full(values)[:, : widest**2]
     worst = np.zeros(table.bands + 1)
     for azimuth in azimuths:
         turned = sphere.rotate_azimuth(sky, np.radians(azimuth))

@@ -61,7 +61,8 @@ def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
     files = {"errors.csv": errors.csv(material)}
     if "gibbs" in wanted:
         material = replace(material, ringing=ringing.study(material))
-        files |= {"ringing.csv": ringing.csv(material)} if material.ringing else {}
+        names = [axis.name for axis in material.axes]
+        files |= {"ringing.csv": ringing.csv(material.ringing, names)} if material.ringing else {}
     shown = []
     for done, name in enumerate(wanted):
         advance(done, len(wanted))

@@ -51,22 +51,13 @@ def _make(config: Config, _: Inputs, advance: Advance) -> Dataset:
     scene, found = config.scene, dict[str, Variable]()
     for done, bands in enumerate(_bands(config)):
         advance(done, len(_bands(config)))
-        opacity = _opacity(config, mask_bands(bands))
-        hidden = (
-            spherical.half_angles([o.centre for o in scene.occluders], [o.radius for o in scene.occluders])
-            if scene.occluders
-            else None
-        )
-        lights = sum((_light(config, light, bands) for light in scene.lights), start=np.zeros(()))
-        if scene.lights and scene.quantity == "irradiance":
-            lights = sphere.scale_degrees(lights, sphere.clamped_cosine(bands))
         built = build(
             bands,
-            scene.horizon,
-            None if scene.clouds is None else (opacity, scene.clouds.colour),
-            hidden,
-            None if isinstance(scene.ground, str) else scene.ground,
-            lights if scene.lights else np.zeros(0),
+            skyline=scene.horizon,
+            clouds=_clouds(config, mask_bands(bands)),
+            occluders=_occluders(config),
+            albedo=None if isinstance(scene.ground, str) else scene.ground,
+            lights=_lights(config, bands),
         )
         for part in PARTS:
             array = getattr(built, part)
@@ -75,8 +66,18 @@ def _make(config: Config, _: Inputs, advance: Advance) -> Dataset:
     return Dataset(found, {})
 
 
+def _lights(config: Config, bands: int) -> Array:
+    """Return the SH weights of all lamps and captured light, ``(channels, N*N)``; of size 0 where there are none."""
+    scene = config.scene
+    if not scene.lights:
+        return np.zeros(0)
+    radiance = np.sum([_light(config, light, bands) for light in scene.lights], axis=0)
+    if scene.quantity == "radiance":
+        return np.asarray(radiance)
+    return sphere.scale_degrees(radiance, sphere.clamped_cosine(bands))
+
+
 def _light(config: Config, light: LightSection, bands: int) -> Array:
-    """Return the SH weights of a lamp or of captured light, ``(channels, N*N)``."""
     if not isinstance(light, ProbeLight):
         return weights(light, bands)
     pixels = files.read(config.folder / light.image).pixels
@@ -85,10 +86,16 @@ def _light(config: Config, light: LightSection, bands: int) -> Array:
     return np.broadcast_to(light.brightness * captured, (len(config.source.channels), bands * bands))
 
 
-def _opacity(config: Config, bands: int) -> Array:
-    """Return the SH weights of the clouds' opacity, ``(N*N,)``."""
+def _occluders(config: Config) -> tuple[Array, Array] | None:
+    """Return half-angles and directions of the occluders, if there are any."""
+    found = config.scene.occluders
+    return spherical.half_angles([o.centre for o in found], [o.radius for o in found]) if found else None
+
+
+def _clouds(config: Config, bands: int) -> tuple[Array, tuple[float, ...]] | None:
+    """Return the SH weights of the clouds' opacity, ``(N*N,)``, and their radiance, if there are any."""
     clouds = config.scene.clouds
     if clouds is None:
-        return np.zeros(bands * bands)
+        return None
     pixels = files.read_mask(config.folder / clouds.image)
-    return np.asarray(clouds.opacity * probe.project(pixels, clouds.layout, bands)[0])
+    return clouds.opacity * probe.project(pixels, clouds.layout, bands)[0], clouds.colour
