@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import os
+import tomllib
 from pathlib import Path
 
 import pytest
 from hypothesis import settings
 
-from pipeline.config import Config, load
+from pipeline.config import Config, load, parse
 from pipeline.run.runner import Result, run
 from pipeline.store.store import Store
 
@@ -19,6 +20,15 @@ settings.load_profile("ci" if os.environ.get("CI") else "dev")
 
 ROOT = Path(__file__).resolve().parents[1]
 SMALL = Path(__file__).parent / "small.toml"
+
+
+# Of tests/small.toml, one table a budget.
+ONE_LAYOUT = SMALL.read_text(encoding="utf-8").replace('layouts = ["rows", "packed"]\n', "")
+
+
+def scene_config(scene: str, text: str = ONE_LAYOUT, folder: Path = Path()) -> Config:
+    """Return the config ``text`` with a [scene] of these lines; its paths start from ``folder``."""
+    return parse(tomllib.loads(f"{text}\n[scene]\n{scene}\n"), "a config", folder)
 
 
 def run_quietly(config: Config, place: Path) -> Result:

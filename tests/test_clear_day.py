@@ -3,26 +3,20 @@
 from __future__ import annotations
 
 import math
-import tomllib
 from pathlib import Path
 
 import numpy as np
 import pytest
-from conftest import SMALL, run_quietly
+from conftest import ONE_LAYOUT, SMALL, run_quietly, scene_config
 from numpy.typing import NDArray
 
 from pipeline import runtime, sphere
-from pipeline.config import Config, ConfigError, parse
+from pipeline.config import ConfigError
 from pipeline.light import Preetham, sun
 from pipeline.run.stages.scene import folded
 from pipeline.truth import sampling
 
 Array = NDArray[np.float64]
-TEXT = SMALL.read_text(encoding="utf-8").replace('layouts = ["rows", "packed"]\n', "")
-
-
-def config_of(scene: str, text: str = TEXT) -> Config:
-    return parse(tomllib.loads(f"{text}\n[scene]\n{scene}\n"), "a config")
 
 
 def brute_force(theta: float, tau: float) -> Array:
@@ -51,19 +45,19 @@ def test_the_ground_reflects_what_sky_and_sun_send_down(theta: float, tau: float
     sets = np.array([[[theta, tau]]])
     job = sampling.Job(Preetham(), ("sun_zenith", "turbidity"), sets, 160, 4, mirrored=True, rule="sun-centred")
     sky, degrees = sampling.project_block(job).weights[0], sphere.degrees_orders(4, mirrored=True)[0]
-    lit = folded(config_of(f"sun_disc = true\nground = {albedo}"), sky, degrees, sets[0])[0]
-    unlit = folded(config_of("sun_disc = true"), sky, degrees, sets[0])[0]
+    lit = folded(scene_config(f"sun_disc = true\nground = {albedo}"), sky, degrees, sets[0])[0]
+    unlit = folded(scene_config("sun_disc = true"), sky, degrees, sets[0])[0]
     radiance = (lit - unlit)[:, 0] / sphere.lower_hemisphere(1)[0]
     assert radiance == pytest.approx(np.array(albedo) / math.pi * brute_force(theta, tau), rel=1e-6)
 
 
 def test_a_table_holds_sky_and_sun(tmp_path: Path) -> None:
-    text = TEXT.replace("[0.05, 0.01]", "[0.05]").replace("4-bands-1pct", "4-bands-5pct")
+    text = ONE_LAYOUT.replace("[0.05, 0.01]", "[0.05]").replace("4-bands-1pct", "4-bands-5pct")
     text = text.replace("degrees = [3, 9]", "degrees = [3, 20]")
     text = text.replace("nodes = 12\nverification = 37", "nodes = 24\nverification = 81")
     found = {}
     for disc in ("true", "false"):
-        result = run_quietly(config_of(f"sun_disc = {disc}", text.replace('"small"', f'"disc-{disc}"')), tmp_path)
+        result = run_quietly(scene_config(f"sun_disc = {disc}", text.replace('"small"', f'"disc-{disc}"')), tmp_path)
         found[disc] = runtime.load(result.folder / "export" / "skylight_sh.npz")
         header = (result.folder / "export" / "skylight_sh.h").read_text(encoding="utf-8")
         assert ("0.2665 degrees" in header) == (disc == "true")
@@ -79,12 +73,12 @@ def test_one_channel_is_the_luminance_of_three() -> None:
     degrees, sets = sphere.degrees_orders(4, mirrored=True)[0], np.array([[0.5, 3.0], [1.57, 5.0]])
     ground = "ground = [0.3]\n", "ground = [0.3, 0.3, 0.3]\n"
     none = np.zeros((2, 3, degrees.size))
-    one = folded(config_of(f'{ground[0]}sun_disc = true\nchannels = "luminance"'), none[:, :1], degrees, sets)
-    three = folded(config_of(f"{ground[1]}sun_disc = true"), none, degrees, sets)
+    one = folded(scene_config(f'{ground[0]}sun_disc = true\nchannels = "luminance"'), none[:, :1], degrees, sets)
+    three = folded(scene_config(f"{ground[1]}sun_disc = true"), none, degrees, sets)
     assert one[:, 0] == pytest.approx(np.einsum("ncw,c->nw", three, Preetham().luminance_row), rel=1e-12, abs=1e-6)
 
 
 def test_only_the_preetham_sky_has_a_sun() -> None:
     text = (SMALL.parent / "small-cie.toml").read_text(encoding="utf-8")
     with pytest.raises(ConfigError, match=r"\$\.scene\.sun_disc = True.*preetham"):
-        config_of("sun_disc = true", text)
+        scene_config("sun_disc = true", text)

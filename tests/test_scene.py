@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from conftest import ROOT, SMALL, run_quietly
+from conftest import ONE_LAYOUT, ROOT, run_quietly, scene_config
 from numpy.typing import NDArray
 from test_export import STRICT
 
@@ -25,18 +25,16 @@ from pipeline.store.store import Store
 from pipeline.table.measure import headline
 
 Array = NDArray[np.float64]
-TEXT = SMALL.read_text(encoding="utf-8").replace('layouts = ["rows", "packed"]\n', "").replace("[0.05, 0.01]", "[0.01]")
+TEXT = ONE_LAYOUT.replace("[0.05, 0.01]", "[0.01]")
 SUNS = np.array([[0.1, 0.3, 2.6], [0.9, -2.0, 4.0], [1.5, 5.0, 5.9]])
 
 
-def config_of(tmp_path: Path, scene: str, *edits: tuple[str, str]) -> Config:
+def config_of(folder: Path, scene: str, *edits: tuple[str, str]) -> Config:
     text = TEXT
     for old, new in edits:
         assert old in text
         text = text.replace(old, new)
-    path = tmp_path / "scene.toml"
-    path.write_text(text + f"\n[scene]\n{scene}\n", encoding="utf-8")
-    return load(path)
+    return scene_config(scene, text, folder)
 
 
 def loaded(result: Result) -> runtime.Runtime:

@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-import tomllib
 from pathlib import Path
 
 import numpy as np
 import OpenImageIO
 import pytest
-from conftest import SMALL, run_quietly
+from conftest import ONE_LAYOUT, run_quietly, scene_config
 from numpy.typing import NDArray
 
 from pipeline import runtime, sphere
-from pipeline.config import Config, ConfigError, parse
+from pipeline.config import Config, ConfigError
 from pipeline.light import spherical
 from pipeline.probe.layouts import patches
 from pipeline.run import plan
@@ -20,8 +19,7 @@ from pipeline.run.runner import steps
 from pipeline.table.surroundings import Surroundings, build, mask_bands
 
 Array = NDArray[np.float64]
-TEXT = SMALL.read_text(encoding="utf-8").replace('layouts = ["rows", "packed"]\n', "").replace("[0.05, 0.01]", "[0.01]")
-TEXT = TEXT.replace('["bands"]', '["surroundings"]')
+TEXT = ONE_LAYOUT.replace("[0.05, 0.01]", "[0.01]").replace('["bands"]', '["surroundings"]')
 BANDS = 4
 WIDE = mask_bands(BANDS)
 RNG = np.random.default_rng(3)
@@ -46,7 +44,7 @@ def picture(path: Path, pixels: Array) -> None:
 
 
 def config_of(folder: Path, scene: str) -> Config:
-    return parse(tomllib.loads(f"{TEXT}\n[scene]\n{scene}\n"), "a config", folder)
+    return scene_config(scene, TEXT, folder)
 
 
 # Closed forms
