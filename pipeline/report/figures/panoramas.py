@@ -26,10 +26,15 @@ def draw(material: Material) -> Figure:
     for title, values in material.cases.items():
         columns += [(title, values, entry) for entry in (*material.references[:2], material.best)]
     columns.append(("Worst set of this table", material.best.worst, material.best))
-    figure = style.figure(3.7 * len(columns), 8.6)
-    panels = figure.subplots(4, len(columns), squeeze=False, sharex=True, sharey=True)
+    width = 3.7 * len(columns)
+    figure = style.figure(width, 8.6)
+    # So many panels take half a second to be laid out by constraint.
+    figure.set_layout_engine("none")
+    room = {"left": 0.75 / width, "right": 1.0 - 0.15 / width, "top": 0.925, "wspace": 0.06, "hspace": 0.08}
+    panels = figure.subplots(4, len(columns), squeeze=False, sharex=True, sharey=True, gridspec_kw={**room, "bottom": 0.15})
+    bars = figure.subplots(1, len(columns), squeeze=False, gridspec_kw={**room, "top": 0.085, "bottom": 0.068})[0]
     for column, (title, values, entry) in enumerate(columns):
-        _column(material, list(panels[:, column]), title, values, entry, figure)
+        _column(material, list(panels[:, column]), title, values, entry, bars[column])
     for row, label in zip(panels[:, 0], _rows(material), strict=True):
         row.set_ylabel(f"{label}\naltitude (degrees)", fontsize=8)
     for panel in panels[-1]:
@@ -44,7 +49,7 @@ def _rows(material: Material) -> tuple[str, ...]:
     return ("sky", "SH, true weights", "SH, table", "difference")
 
 
-def _column(material: Material, panels: list[Axes], title: str, values: np.ndarray, entry: Entry, figure: Figure) -> None:
+def _column(material: Material, panels: list[Axes], title: str, values: np.ndarray, entry: Entry, bar: Axes) -> None:
     light, table = material.light, entry.table
     names = tuple(axis.name for axis in material.axes)
     bands = min(table.bands, material.best.table.bands)
@@ -67,7 +72,9 @@ def _column(material: Material, panels: list[Axes], title: str, values: np.ndarr
     )
     ticks = np.array([-1.0, -0.5, 0.0, 0.5, 1.0]) * float(f"{reach:.1g}")
     labels = [f"{tick:.2g}" for tick in ticks]
-    figure.colorbar(image, ax=panels[3], orientation="horizontal", label="% of L_min", ticks=ticks).set_ticklabels(labels)
+    colours = panels[3].figure.colorbar(image, cax=bar, orientation="horizontal", label="% of L_min", ticks=ticks)
+    colours.set_ticklabels(labels)
+    bar.tick_params(labelsize=8)
     for panel in panels:
         panel.tick_params(labelsize=7)
     panels[0].set_title(f"{title}\n{entry.name}, N = {bands}\n{material.describe(values)}", fontsize=8.5, parse_math=False)
