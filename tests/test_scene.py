@@ -205,7 +205,7 @@ def test_benchmarks_and_stresses_measure_the_scene(tmp_path: Path, scene: str) -
     tables, published = exported(result.folder)
     name = config.export.recommended
     samples = sample(config, 4, random=100, like=tables[name])
-    assert headline(tables[name], samples.reference) == pytest.approx(published[name], rel=0.5)
+    assert 0.5 * published[name] < headline(tables[name], samples.reference) < 1.1 * published[name]
     assert all(row["holds"] == "yes" for row in edges._outside(config, tables[name]))  # the whole section takes long
 
 

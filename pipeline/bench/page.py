@@ -11,6 +11,7 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 from threadpoolctl import threadpool_limits
 
 from pipeline.bench import tabular
+from pipeline.store import atomic
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -50,12 +51,12 @@ def publish(
     for section in measured:
         tabular.save(folder / f"{section.name}.csv", section.rows)
         if section.draw:
-            (folder / f"{section.name}.png").write_bytes(style.png(section.draw(section.rows)))
+            atomic.write(folder / f"{section.name}.png", style.png(section.draw(section.rows)))
         columns = list(section.rows[0])
         cells = [[tabular.cell(row[c]) for c in columns] for row in section.rows]
         shown.append({"section": section, "columns": columns, "rows": cells})
     page = _TEMPLATES.get_template("measurements.html.j2").render(title=title, lead=lead, sections=shown)
-    (folder / "index.html").write_text(page, encoding="utf-8")
+    atomic.write(folder / "index.html", page.encode())
     parts = [f"{s.title}\n{tabular.text(s.rows)}\n" for s in measured]
     return "\n".join([*parts, f"page  {folder / 'index.html'}"])
 

@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import csv
+import io
 from collections.abc import Mapping, Sequence
 from pathlib import Path
+
+from pipeline.store import atomic
 
 
 def text(rows: Sequence[Mapping[str, object]]) -> str:
@@ -17,10 +20,11 @@ def text(rows: Sequence[Mapping[str, object]]) -> str:
 def save(path: Path, rows: Sequence[Mapping[str, object]]) -> None:
     """Write the rows as CSV. Raises ValueError where a row has other columns than the first."""
     path.parent.mkdir(parents=True, exist_ok=True)
-    with path.open("w", newline="", encoding="utf-8") as file:
-        writer = csv.DictWriter(file, list(rows[0]), lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(rows)
+    out = io.StringIO()
+    writer = csv.DictWriter(out, list(rows[0]), lineterminator="\n")
+    writer.writeheader()
+    writer.writerows(rows)
+    atomic.write(path, out.getvalue().encode())
 
 
 def cell(value: object) -> str:

@@ -7,8 +7,8 @@ from typing import Literal
 
 import numpy as np
 
-from pipeline.light.one_channel import Relative
 from pipeline.light.protocol import Array, Hints, Parameters, sun_angle
+from pipeline.light.shared import Relative
 
 # Gradation a, b and indicatrix c, d, e of sky types 1 (overcast) to 15 (white-blue turbid with broad corona).
 _TYPES = (

@@ -16,8 +16,8 @@ from typing import Literal
 
 import numpy as np
 
-from pipeline.light.one_channel import Relative
 from pipeline.light.protocol import Array, Hints, Parameters, sun_angle
+from pipeline.light.shared import Relative
 
 
 @dataclass(frozen=True)

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from pipeline.light.protocol import Array, Domain, Hints, Light, Parameters
+from pipeline.light.shared import OneChannel
 
 
 @dataclass(frozen=True)
@@ -99,23 +100,13 @@ class Fixed(_Derived):
 
 
 @dataclass(frozen=True)
-class Luminance(_Derived):
+class Luminance(OneChannel, _Derived):
     """The luminance of ``light`` alone, one channel in cd/m2."""
 
     @property
     def title(self) -> str:
         """Name for people."""
         return f"{self.light.title}, luminance"
-
-    @property
-    def channels(self) -> tuple[str, ...]:
-        """One."""
-        return ("luminance",)
-
-    @property
-    def luminance_row(self) -> Array:
-        """The one channel is luminance."""
-        return np.ones(1)
 
     def radiance(self, directions: Array, parameters: Parameters) -> Array:
         """Return the light's luminance, ``(..., 1)``."""

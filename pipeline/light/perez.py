@@ -15,8 +15,8 @@ from typing import ClassVar, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from pipeline.light.one_channel import OneChannel
 from pipeline.light.protocol import OPTIONS, Array, Domain, Hints, Parameters, Prefactor, sun_angle
+from pipeline.light.shared import OneChannel, OwnCode
 
 Floats = NDArray[np.floating]
 
@@ -72,7 +72,7 @@ _BRIGHTNESS = (
 
 
 @dataclass(frozen=True)
-class Perez(OneChannel):
+class Perez(OwnCode, OneChannel):
     """Clearness category ``category`` over ``sun_zenith`` (radians) and ``brightness`` (Perez's Delta).
 
     ``quantity`` is ``relative``, with a zenith of 1 cd/m2, or ``absolute``: the zenith's luminance is then the 1990

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from pipeline.light import colour
 from pipeline.light.protocol import OPTIONS, Array, Domain, Hints, MissingExtraError, Parameters, Prefactor, sun_angle
+from pipeline.light.shared import OwnCode
 
 Floats = NDArray[np.floating]
 
@@ -74,7 +75,7 @@ DOMAINS: Mapping[str, Domain] = {
 
 
 @dataclass(frozen=True)
-class Preetham:
+class Preetham(OwnCode):
     """The sky as a black box over ``sun_zenith`` (radians) and ``turbidity``; radiance in cd/m2."""
 
     __pydantic_config__: ClassVar[Mapping[str, object]] = OPTIONS
@@ -97,11 +98,6 @@ class Preetham:
     def title(self) -> str:
         """Name for people."""
         return f"Preetham sky ({self.constants} constants, {self.colour_space})"
-
-    @property
-    def version(self) -> str:
-        """Nothing but this package's code."""
-        return ""
 
     @property
     def channels(self) -> tuple[str, ...]:

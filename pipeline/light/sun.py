@@ -125,10 +125,14 @@ def weights(theta: ArrayLike, phi: ArrayLike, tau: ArrayLike, bands: int, colour
     ``theta`` and ``phi`` are the sun's zenith angle and azimuth in radians. The disc is whole: near the horizon nothing
     is cut off it.
     """
+    return np.asarray(radiance(theta, tau, colour_space)[..., np.newaxis] * disc(theta, phi, bands)[..., np.newaxis, :])
+
+
+def disc(theta: ArrayLike, phi: ArrayLike, bands: int) -> Array:
+    """Return the SH weights of the disc for radiance 1, ``(..., N*N)``; angles as in ``weights``."""
     zenith, azimuth = np.broadcast_arrays(np.asarray(theta, dtype=np.float64), np.asarray(phi, dtype=np.float64))
     axis = np.stack([np.sin(zenith) * np.cos(azimuth), np.sin(zenith) * np.sin(azimuth), np.cos(zenith)], axis=-1)
-    shape = sphere.aim(sphere.cap(HALF_ANGLE, bands), axis)
-    return np.asarray(radiance(zenith, tau, colour_space)[..., np.newaxis] * shape[..., np.newaxis, :])
+    return sphere.aim(sphere.cap(HALF_ANGLE, bands), axis)
 
 
 def from_below(theta: ArrayLike) -> Array:

@@ -90,7 +90,11 @@ class Table:
         return self.bytes_at(self.bands)
 
     def bytes_at(self, bands: int) -> int:
-        """Size of what the first ``bands`` bands alone read: a table of fewer bands is a prefix of this one."""
+        """Size of what the first ``bands`` bands alone read: a table of fewer bands is a prefix of this one.
+
+        Surroundings read all bands, whatever is asked for.
+        """
+        bands = self.bands if self.surroundings else bands
         numbers = sum(2 + len(axis.constants) for axis in self.axes) + (self.factor.numbers if self.factor else 0)
         numbers += twilight.NUMBERS if self.twilight else 0
         numbers += self.surroundings.numbers if self.surroundings else 0

@@ -15,19 +15,20 @@ _NODES = 96
 SOLAR = 127_500.0
 
 
-def _sky(theta: float, tau: float) -> float:
-    """Return the Preetham sky's illuminance in lux on the horizontal, to 1e-4 of itself."""
-    light = Preetham()
-    directions, solid = zenith_gauss(_NODES)
-    radiance = light.radiance(directions, {"sun_zenith": np.array([theta]), "turbidity": np.array([tau])})
-    return float((radiance @ light.luminance_row) @ (directions[:, 2] * solid))
-
-
 def clear_day(theta: ArrayLike, tau: float) -> tuple[Array, Array]:
-    """Return the illuminance in lux of the Preetham sky and of its sun's disc, ``(n,)`` each, for sun zeniths ``(n,)``."""
-    zeniths = np.asarray(theta, dtype=np.float64)
+    """Return the illuminance in lux of the Preetham sky and of its sun's disc, ``(n,)`` each, for sun zeniths ``(n,)``.
+
+    The sky's is right to 1e-4 of itself.
+    """
+    zeniths, light = np.asarray(theta, dtype=np.float64), Preetham()
     disc = sun.normal_illuminance(zeniths, np.full(zeniths.shape, tau)) * np.cos(zeniths)
-    return np.array([_sky(float(t), tau) for t in zeniths]), disc
+    directions, solid = zenith_gauss(_NODES)
+    falling = directions[:, 2] * solid
+    skies = [
+        (light.radiance(directions, {"sun_zenith": zenith, "turbidity": np.array([tau])}) @ light.luminance_row) @ falling
+        for zenith in zeniths[:, np.newaxis]
+    ]
+    return np.array(skies), disc
 
 
 def twilight(depth: ArrayLike) -> Array:

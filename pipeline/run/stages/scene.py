@@ -20,13 +20,12 @@ def folded(config: Config, weights: Array, degrees: Index, sets: Array) -> Array
     from_below: Array | float = 0.0
     if isinstance(config.light, Preetham) and scene.sun_disc:
         theta, tau = (_parameter(config, sets, name) for name in ("sun_zenith", "turbidity"))
-        space, orders = config.light.colour_space, sphere.degrees_orders(bands, mirrored=mirrored)[1]
-        disc = sun.weights(theta, 0.0, tau, bands, space)[..., degrees * (degrees + 1) + orders]
-        below = sun.radiance(theta, tau, space) * sun.from_below(theta)[..., np.newaxis]
+        colour = sun.radiance(theta, tau, config.light.colour_space)
         if scene.channels == "luminance":
-            row = config.light.luminance_row
-            disc, below = np.einsum("...ck,c->...k", disc, row)[..., np.newaxis, :], (below @ row)[..., np.newaxis]
-        weights, from_below = weights + disc, below
+            colour = (colour @ config.light.luminance_row)[..., np.newaxis]
+        orders = sphere.degrees_orders(bands, mirrored=mirrored)[1]
+        disc = sun.disc(theta, 0.0, bands)[..., np.newaxis, degrees * (degrees + 1) + orders]
+        weights, from_below = weights + colour[..., np.newaxis] * disc, colour * sun.from_below(theta)[..., np.newaxis]
     if scene.ground == "mirror":
         weights = sphere.mirror_ground(weights, bands, mirrored=mirrored)
     elif scene.ground != "black" and not scene.masked:

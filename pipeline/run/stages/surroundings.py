@@ -48,16 +48,18 @@ def _bands(config: Config) -> list[int]:
 
 
 def _make(config: Config, _: Inputs, advance: Advance) -> Dataset:
-    scene, found = config.scene, dict[str, Variable]()
-    for done, bands in enumerate(_bands(config)):
-        advance(done, len(_bands(config)))
+    scene, found, asked = config.scene, dict[str, Variable](), _bands(config)
+    # Pictures are read once: the weights of fewer bands are the first of those of more.
+    clouds, lights = _clouds(config, mask_bands(asked[-1])), _lights(config, asked[-1])
+    for done, bands in enumerate(asked):
+        advance(done, len(asked))
         built = build(
             bands,
             skyline=scene.horizon,
-            clouds=_clouds(config, mask_bands(bands)),
+            clouds=clouds and (clouds[0][: mask_bands(bands) ** 2], clouds[1]),
             occluders=_occluders(config),
             albedo=None if isinstance(scene.ground, str) else scene.ground,
-            lights=_lights(config, bands),
+            lights=lights[..., : bands * bands],
         )
         for part in PARTS:
             array = getattr(built, part)

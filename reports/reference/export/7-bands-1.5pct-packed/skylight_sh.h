@@ -26,7 +26,7 @@
  *
  * Provenance
  *   config preetham, table 7-bands-1.5pct-packed
- *   selection d885e34c3911ede053f57367edca0d57eaf03447356c696a5080ea1994492af9
+ *   selection e20f28358e8eeec4c668aa59ee2e88df7566b063480189f3dc5b4345e257eb1d
  *   python 3.11.7, numpy 2.4.6, scipy 1.17.1, h5py 3.16.0, dask 2026.8.0
  *   x86_64: AVX512_ICL X86_V2 X86_V3 X86_V4
  */

@@ -1,4 +1,4 @@
-"""What lights of luminance alone share."""
+"""What lights share: luminance alone, values that only this package's code decides, the CIE's axis."""
 
 from __future__ import annotations
 
@@ -10,13 +10,17 @@ import numpy as np
 from pipeline.light.protocol import OPTIONS, Array, Domain
 
 
-class OneChannel:
-    """A light of this package with one channel, luminance."""
+class OwnCode:
+    """A light whose values nothing but its options and this package's code decides."""
 
     @property
     def version(self) -> str:
-        """Nothing but this package's code."""
+        """Nothing."""
         return ""
+
+
+class OneChannel:
+    """A light of one channel, luminance."""
 
     @property
     def channels(self) -> tuple[str, ...]:
@@ -34,7 +38,7 @@ _DOMAINS: Mapping[str, Domain] = {
 }
 
 
-class Relative(OneChannel):
+class Relative(OwnCode, OneChannel):
     """What the CIE's skies share: the axis of the sun's zenith angle."""
 
     __pydantic_config__: ClassVar[Mapping[str, object]] = OPTIONS
