@@ -11,7 +11,8 @@ from pipeline.report.material import Material
 CAPTION = (
     "The paper's figure 3: the largest errors over all parameter sets and channels, in per cent of the least radiance of "
     "each set, against the number of bands. Tables are measured as shipped, in their own number type. Crosses, for the "
-    "paper's sky: the two bounds on E_mean that it quotes (1.5 % at 7 bands, 0.005 % up to 5), against its own samples."
+    "paper's sky: the two bounds on E_mean that it quotes (1.5 % at 7 bands, 0.005 % up to 5), against its own samples. "
+    "Bytes are those of the recommended table's bands."
 )
 # Habel et al. 2008, section 3.2.
 _QUOTED = ((7, 0.015), (5, 0.00005))
@@ -36,7 +37,7 @@ def draw(material: Material) -> Figure:
                 marker=style.MARKERS[i % 7],
                 markersize=5,
                 linestyle="--" if dashed else "-",
-                label=f"{entry.name} ({entry.table.bytes_at(min(best, entry.table.bands)):,} bytes at {best} bands)",
+                label=f"{entry.name}: {entry.table.bytes_at(min(best, entry.table.bands)):,} B",
             )
         axes.set_title(f"largest {title}, L_min {material.conventions[0]}")
         axes.set_xlabel("bands N")

@@ -27,7 +27,8 @@ def draw(material: Material) -> Figure | None:
         axes = figure.subplots()
         axes.semilogy(sweep.degrees[:, 0], error, marker="o", color=style.BLUE)
         axes.set_xlabel(f"degree in {material.axes[0].name}")
-        axes.set_ylabel("largest E_mean (fraction)")
+        axes.set_ylabel("largest E_mean")
+        axes.yaxis.set_major_formatter(style.percent_ticks())
         axes.grid(True, alpha=0.3)
         return figure
     full = np.all(sweep.degrees[:, 2:] == sweep.degrees[:, 2:].max(axis=0), axis=1)
