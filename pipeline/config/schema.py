@@ -67,8 +67,13 @@ class TruthSection(Section):
         description="truth rule: auto (by the light's hints), sun-centred, rings, zenith, stratified or adaptive",
     )
     hints: bool = Field(True, description="false hides what the light tells about itself: a black box")
-    random: int = Field(500, ge=0, le=100_000, description="further random verification sets, 0 to 100000")
+    random: int = Field(500, ge=0, le=100_000, description="further random sets that selection sees, 0 to 100000")
     seed: int = Field(2008, ge=0, description="seed of the random sets, 0 or more")
+    held_out: int = Field(
+        2000, ge=1, le=100_000, description="sets that only the measurement of errors reads: scrambled Sobol sets, 1 to 100000"
+    )
+    held_out_edge: int = Field(128, ge=1, le=10_000, description="more of them on each edge of the ranges, 1 to 10000")
+    held_out_seed: int = Field(1959, ge=0, description="seed of the held-out sets, 0 or more")
 
 
 class ReferenceSection(Section):

@@ -8,6 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from pipeline.reproducible import in_double
+
 Floats = NDArray[np.floating]
 
 
@@ -44,7 +46,7 @@ def _fourier(u: Floats, degree: int) -> Floats:
     out = np.ones((*u.shape, degree + 1), dtype=u.dtype)
     angle = np.asarray(np.pi, dtype=u.dtype) * u
     for k in range(1, degree + 1):
-        out[..., k] = np.cos((k + 1) // 2 * angle) if k % 2 else np.sin(k // 2 * angle)
+        out[..., k] = in_double(np.cos, (k + 1) // 2 * angle) if k % 2 else in_double(np.sin, k // 2 * angle)
     return out
 
 

@@ -7,7 +7,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from pipeline.reproducible import significant
+
 Array = NDArray[np.float64]
+
+
+# L_min is recorded to half of 2**-13 of itself: its minimiser's last bits are the processor's.
+_L_MIN_BITS = 14
 
 
 @dataclass(frozen=True)
@@ -30,18 +36,32 @@ class Reference:
 
         A light whose least radiance is not positive has its mean radiance instead, under the name ``mean``.
         """
-        if np.any(self.least <= 0.0):
-            return {"mean": self.mean}
-        return {"per-set": self.least, "global": np.full(self.least.shape, self.least.min())}
+        return l_min(self.least, self.mean)
 
     @property
     def headline(self) -> Array:
         """The denominator of the first convention, which headlines use, ``(n,)``."""
         return next(iter(self.l_min.values()))
 
+    def some(self, each: int) -> Reference:
+        """Return one in ``each`` of the sets."""
+        part = slice(None, None, each)
+        return Reference(self.parameters[part], self.weights[part], self.degrees, self.least[part], self.mean[part])
+
     def first_bands(self, bands: int) -> NDArray[np.int64]:
         """Return the positions of the weights of the first ``bands`` bands."""
         return np.flatnonzero(self.degrees < bands)
+
+
+def l_min(least: Array, mean: Array) -> dict[str, Array]:
+    """Return the denominators of E_max and E_mean, ``(n,)``, by convention: of least and mean luminances ``(n,)``.
+
+    Where a least luminance is not positive, the mean is the only convention. Rounded to 14 bits, 6e-5 of themselves.
+    """
+    if np.any(least <= 0.0):
+        return {"mean": significant(mean, _L_MIN_BITS)}
+    rounded = significant(least, _L_MIN_BITS)
+    return {"per-set": rounded, "global": np.full(least.shape, rounded.min())}
 
 
 def e_mean(residual: Array, l_min: Array) -> float:
@@ -56,9 +76,9 @@ def by_band(residual: Array, degrees: NDArray[np.int64], bands: int) -> tuple[Ar
     Returns the sums of magnitudes and the roots of the sums of squares, shape ``(..., bands)``: E_max and E_mean
     before division by L_min.
     """
-    # One matrix product sums a weight into every band count that holds it.
-    holds = (degrees[:, np.newaxis] < np.arange(1, bands + 1)).astype(np.float64)
-    return np.abs(residual) @ holds, np.sqrt((residual * residual) @ holds)
+    starts = np.searchsorted(degrees, np.arange(bands))
+    absolute, squares = (np.add.reduceat(x, starts, axis=-1) for x in (np.abs(residual), residual * residual))
+    return np.cumsum(absolute, axis=-1), np.sqrt(np.cumsum(squares, axis=-1))
 
 
 def mean_luminance(first_weights: Array, luminance_row: Array) -> Array:

@@ -42,7 +42,7 @@ class _Search:
         rest = lengths.size
         kept = np.flatnonzero((np.arange(self.first)[:, np.newaxis] < lengths).ravel())
         found = self.normal.best_of(kept)
-        error = float(self.checked.errors(found).max())
+        error = self.checked.largest(found)
         return Kept(lengths, found.reshape(*found.shape[:2], self.first, rest), error)
 
     def sharpened(self, lengths: Index, budget: float) -> Kept:

@@ -8,6 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from pipeline.reproducible import cube_root, in_double, logarithm
+
 Floats = NDArray[np.floating]
 
 
@@ -34,7 +36,7 @@ def _scaled(low: float, high: float, _: float) -> tuple[float, ...]:
 
 def _log(low: float, high: float, point: float) -> tuple[float, ...]:
     # With the pole above the range the distances shrink, but their ratios stay positive.
-    return point, 1.0 / (low - point), 2.0 / float(np.log((high - point) / (low - point)))
+    return point, 1.0 / (low - point), 2.0 / logarithm((high - point) / (low - point))
 
 
 def _reciprocal(low: float, high: float, point: float) -> tuple[float, ...]:
@@ -42,8 +44,8 @@ def _reciprocal(low: float, high: float, point: float) -> tuple[float, ...]:
 
 
 def _cbrt(low: float, high: float, point: float) -> tuple[float, ...]:
-    far = float(np.cbrt(point - low))
-    return point, far, 2.0 / (far - float(np.cbrt(point - high)))
+    far = cube_root(point - low)
+    return point, far, 2.0 / (far - cube_root(point - high))
 
 
 MAPS: dict[str, Map] = {
@@ -56,7 +58,7 @@ MAPS: dict[str, Map] = {
     ),
     "log": Map(
         _log,
-        lambda v, k: k[2] * np.log((v - k[0]) * k[1]) - 1,
+        lambda v, k: k[2] * in_double(np.log, (v - k[0]) * k[1]) - 1,
         lambda u, k: np.exp((u + 1) / k[2]) / k[1] + k[0],
         "k[2] * LOG((v - k[0]) * k[1]) - 1",
         c_functions=1,
@@ -71,7 +73,7 @@ MAPS: dict[str, Map] = {
     # The cube root of the distance to a point at or above the range: unlike the others, it may be singular at the end.
     "cbrt": Map(
         _cbrt,
-        lambda v, k: k[2] * (k[1] - np.cbrt(k[0] - v)) - 1,
+        lambda v, k: k[2] * (k[1] - in_double(np.cbrt, k[0] - v)) - 1,
         lambda u, k: k[0] - (k[1] - (u + 1) / k[2]) ** 3,
         "k[2] * (k[1] - CBRT(k[0] - v)) - 1",
         c_functions=1,

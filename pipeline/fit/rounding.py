@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 from scipy import linalg
 
 from pipeline.fit.weighted import Metric
+from pipeline.reproducible import significant
 
 Array = NDArray[np.float64]
 Index = NDArray[np.int64]
@@ -33,14 +34,14 @@ def round_kept(metric: Metric, lengths: Index, first: int, step: float) -> Index
     keep = (np.arange(first)[:, np.newaxis] < lengths[:, :, np.newaxis, :]).reshape(channels, count, -1)
     out = np.zeros((channels, count, first * rest), dtype=np.int64)
     for channel, gram in enumerate(metric.gram):
-        ranked = np.argsort(np.diag(gram), kind="stable")
+        # Terms that weigh the same must rank the same on every machine.
+        ranked = np.argsort(significant(np.diag(gram), 20), kind="stable")
         for w in range(count):
             use = ranked[keep[channel, w, ranked]]
             if use.size:
-                rows = gram[use]
-                factor = linalg.cholesky(rows[:, use], check_finite=False)
+                factor = linalg.cholesky(gram[np.ix_(use, use)], check_finite=False)
                 # factor @ solution, of which each row names one coefficient given all later ones.
-                target = linalg.solve_triangular(factor, rows @ metric.best[channel, w], trans="T", check_finite=False)
+                target = linalg.solve_triangular(factor, metric.right[channel, w, use], trans="T", check_finite=False)
                 diagonal = np.diag(factor).copy()
                 out[channel, w, use] = _nearest_plane(factor / diagonal[:, np.newaxis], target / (diagonal * step))
     return out.reshape(channels, count, first, rest)

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from pipeline.fit.rounding import lengths_above, round_kept
 from pipeline.fit.weighted import Metric, Sampled, even, metric, sharpen
+from pipeline.reproducible import significant
 
 Array = NDArray[np.float64]
 Index = NDArray[np.int64]
@@ -21,7 +22,10 @@ _AIMED = 3
 _SCAN = np.geomspace(0.95, 1.2, 8)
 _FARTHEST = 8.0
 # A reader's whole numbers have 32 bits.
-_LARGEST = 2.0**30
+_LARGEST = 0.98 * 2.0**30
+# Of a step. The error is proportional to it but for chance, and chance multiplies a change of the step by up to 1,000:
+# fed back through the next step without rounding, a last bit would grow to another table within ten attempts.
+_STEP_BITS = 7
 
 
 @dataclass(frozen=True)
@@ -52,15 +56,17 @@ def smallest(
     start = metric(grid, even(grid))
     # To start from: all numbers off by half a step.
     finest = float(np.abs(start.best).max()) / _LARGEST
-    step = max(finest, budget / np.sqrt(np.prod(grid.truth.shape[1:])))
     best: Rounded | None = None
     tried: list[Rounded] = []
+
+    def rounded(step: float) -> float:
+        return float(significant(max(finest, step), _STEP_BITS))
 
     def attempt(normal: Metric, threshold: float, step: float) -> Rounded:
         nonlocal best
         lengths = lengths_above(normal.best.reshape(*normal.best.shape[:2], first, -1), threshold * step)
         numbers = round_kept(normal, lengths, first, step)
-        error = float(checked.errors(_values(numbers, step)).max())
+        error = checked.largest(_values(numbers, step))
         made = Rounded(numbers, step, error, cost(numbers) if error <= 1.5 * budget else 0)
         if made.cost:
             tried.append(replace(made, numbers=numbers[:0]))
@@ -68,6 +74,7 @@ def smallest(
             best = made
         return made
 
+    step = rounded(budget / np.sqrt(np.prod(grid.truth.shape[1:])))
     for threshold in _THRESHOLDS:
         importance, normal = even(grid), start
         for _ in range(_ROUNDS):
@@ -75,11 +82,11 @@ def smallest(
                 made = attempt(normal, threshold, step)
                 if 0.97 * budget <= made.error <= budget:
                     break
-                step = max(finest, step * float(np.clip(0.985 * budget / made.error, 1.0 / _FARTHEST, _FARTHEST)))
+                step = rounded(step * float(np.clip(0.985 * budget / made.error, 1.0 / _FARTHEST, _FARTHEST)))
             importance = sharpen(importance, grid.errors(_values(made.numbers, made.step)), shape)
             normal = metric(grid, importance)
         for scale in _SCAN:
-            attempt(normal, threshold, step * float(scale))
+            attempt(normal, threshold, rounded(step * float(scale)))
     return best, tried
 
 

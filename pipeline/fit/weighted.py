@@ -9,11 +9,16 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import linalg
 
+from pipeline.reproducible import significant
+
 Array = NDArray[np.float64]
 Index = NDArray[np.int64]
 
 # Far below any rounding step, far above what Cholesky needs.
 _RIDGE = 1e-12
+# Of an importance and of an error that a search acts on: what differs from machine to machine must not feed back.
+_IMPORTANCE_BITS = 5
+_ERROR_BITS = 24
 
 
 @dataclass(frozen=True)
@@ -34,25 +39,30 @@ class Sampled:
         use = np.flatnonzero(flat.any(axis=0))
         made = self.basis[:, use] @ flat[:, use].T
         residual = made.reshape(-1, channels, count) - self.truth
-        return np.asarray(np.sqrt(np.einsum("ncw,ncw->nc", residual, residual)))
+        return np.asarray(np.sqrt(np.square(residual).sum(axis=-1)))
+
+    def largest(self, coefficients: Array) -> float:
+        """Return the largest of ``errors``, rounded far above what differs from machine to machine."""
+        return float(significant(self.errors(coefficients).max(), _ERROR_BITS))
 
 
 @dataclass(frozen=True)
 class Metric:
-    """Normal equations, a channel each: ``gram`` ``(channels, terms, terms)``, ``best`` ``(channels, count, terms)``.
+    """Normal equations, a channel each: ``gram`` ``(channels, terms, terms)``, ``right`` ``(channels, count, terms)``.
 
-    ``best`` minimises the weighted squared error without any limit on the coefficients. The error of other
-    coefficients exceeds the least one by their distance to ``best`` in ``gram``.
+    ``best``, of the same shape as ``right``, minimises the weighted squared error without any limit on the coefficients.
+    The error of other coefficients exceeds the least one by their distance to ``best`` in ``gram``.
     """
 
     gram: Array
+    right: Array
     best: Array
 
     def best_of(self, kept: Index) -> Array:
         """Return the best coefficients of the terms ``kept`` alone, zeros elsewhere: ``(channels, count, terms)``."""
         out = np.zeros_like(self.best)
         for channel, gram in enumerate(self.gram):
-            right = gram[kept] @ self.best[channel].T
+            right = self.right[channel][:, kept].T
             out[channel][:, kept] = linalg.solve(gram[np.ix_(kept, kept)], right, assume_a="pos").T
         return out
 
@@ -61,13 +71,15 @@ def metric(sampled: Sampled, importance: Array) -> Metric:
     """Build the metric of ``sum importance * error**2``; ``importance`` ``(n, channels)`` sums to 1."""
     terms = sampled.basis.shape[1]
     grams = np.empty((importance.shape[1], terms, terms))
-    best = np.empty((*sampled.truth.shape[1:], terms))
+    right = np.empty((*sampled.truth.shape[1:], terms))
+    best = np.empty_like(right)
     for channel, gram in enumerate(grams):
         weighed = (sampled.basis * importance[:, channel, np.newaxis]).T
         gram[:] = weighed @ sampled.basis
         gram[np.diag_indices(terms)] += _RIDGE * np.trace(gram) / terms
-        best[channel] = linalg.solve(gram, weighed @ sampled.truth[:, channel], assume_a="pos").T
-    return Metric(grams, best)
+        right[channel] = (weighed @ sampled.truth[:, channel]).T
+        best[channel] = linalg.solve(gram, right[channel].T, assume_a="pos").T
+    return Metric(grams, right, best)
 
 
 def even(sampled: Sampled) -> Array:
@@ -76,11 +88,12 @@ def even(sampled: Sampled) -> Array:
     return np.full(shape, 1.0 / np.prod(shape))
 
 
-def sharpen(importance: Array, errors: Array, shape: Sequence[int], power: float = 0.5) -> Array:
+def sharpen(importance: Array, errors: Array, shape: Sequence[int]) -> Array:
     """Move importance to where errors are large (Lawson 1961), so that the largest error falls.
 
     ``errors`` ``(n, channels)`` on a grid of ``shape``; squared, they are averaged over neighbours first, since
-    rounding makes single sets' errors a matter of chance.
+    rounding makes single sets' errors a matter of chance. The result grows with the error itself, and is rounded to few
+    bits: importance need not be exact, and what follows from it must not hang on the last bits of errors.
     """
     smooth = (errors * errors).reshape(*shape, -1)
     for axis in range(len(shape)):
@@ -88,5 +101,5 @@ def sharpen(importance: Array, errors: Array, shape: Sequence[int], power: float
             padded = np.pad(smooth, [(1, 1) if a == axis else (0, 0) for a in range(smooth.ndim)], mode="edge")
             size = smooth.shape[axis]
             smooth = (padded.take(range(size), axis) + 2 * smooth + padded.take(range(2, size + 2), axis)) / 4
-    grown = importance * (smooth.reshape(errors.shape) / smooth.max()) ** power
-    return np.asarray(grown / grown.sum())
+    grown = importance * np.sqrt(smooth.reshape(errors.shape) / smooth.max())
+    return significant(grown / grown.sum(), _IMPORTANCE_BITS)

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from pipeline.light.protocol import OPTIONS, Array, Domain, Hints, Parameters, Prefactor, sun_angle
 from pipeline.light.shared import OneChannel, OwnCode
+from pipeline.reproducible import in_double
 
 Floats = NDArray[np.floating]
 
@@ -140,8 +141,8 @@ def zenith_factor(parameters: Mapping[str, Floats], constants: tuple[float, ...]
     theta, delta = parameters["sun_zenith"], parameters["brightness"]
     rows = np.reshape(constants, (5, 4)).astype(np.result_type(theta))
     a, b, c, d, e = (x1 + x2 * theta + delta * (x3 + x4 * theta) for x1, x2, x3, x4 in rows)
-    cosine = np.cos(theta)
-    return np.asarray(1 / ((1 + a * np.exp(b)) * (1 + c * np.exp(d * theta) + e * (cosine * cosine))))
+    cosine, up, halo = (in_double(f, x) for f, x in ((np.cos, theta), (np.exp, b), (np.exp, d * theta)))
+    return np.asarray(1 / ((1 + a * up) * (1 + c * halo + e * (cosine * cosine))))
 
 
 # The same in C; 3 numbers stand in it.

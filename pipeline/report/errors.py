@@ -1,8 +1,8 @@
-"""Every measured error as one tidy table, ``errors.csv``."""
+"""Every measured error as one tidy table, ``errors.csv``; ``references.csv`` has those that are their machine's."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 import pandas as pd
@@ -10,24 +10,43 @@ import pandas as pd
 from pipeline import sphere
 from pipeline.report.material import Entry, Material
 
+# A five-hundredth of the tightest budget. Finer figures would be noise: of the truth, and of the machine.
+_FINEST = 1e-7
 
-def frame(material: Material) -> pd.DataFrame:
+
+def frame(material: Material, entries: Sequence[Entry], *, sweep: bool) -> pd.DataFrame:
     """Return one row a combination of table, bands, channel and L_min convention. Errors are fractions, angles radians.
+
+    ``entries`` are named tables; ``sweep`` says whether the fit's own sweep over degrees comes before them.
 
     ``table`` is ``sweep`` for a fit with every coefficient kept, else a reference's or winner's name; ``dtype`` is the
     number type of coefficients and arithmetic, ``coefficients`` and ``bytes`` count those of the first ``bands`` bands of a
     sweep's fit, and all of a named table.
     """
-    parts = [_sweep(material), *(_entry(material, e) for e in (*material.references, *material.winners))]
-    return pd.concat(parts, ignore_index=True)
+    parts = [_sweep(material)] if sweep else []
+    return pd.concat([*parts, *(_entry(material, e) for e in entries)], ignore_index=True)
 
 
 def csv(material: Material) -> bytes:
-    """Return ``frame`` as CSV: errors to four significant digits, places to seven."""
-    made = frame(material)
+    """Return the errors of the sweep and of every winner as CSV; they are the same bytes on every machine."""
+    return _csv(frame(material, material.winners, sweep=True))
+
+
+def references_csv(material: Material) -> bytes:
+    """Return the errors of the fits shown for comparison as CSV.
+
+    Raw monomials are so ill-conditioned that these hang on the last bits of the machine that fitted them.
+    """
+    return _csv(frame(material, material.references, sweep=False))
+
+
+def _csv(made: pd.DataFrame) -> bytes:
+    """Write errors to four significant digits and no finer than ``_FINEST``, places to seven digits."""
     places = [name for name in made.columns if name.endswith("_at_worst")]
     made[places] = made[places].map("{:.7g}".format)
-    return made.to_csv(index=False, float_format="%.4g", lineterminator="\n").encode()
+    errors = ["e_max", "e_mean", "rel_l2"]
+    made[errors] = made[errors].map(lambda error: f"{round(error / _FINEST) * _FINEST:.4g}")
+    return made.to_csv(index=False, lineterminator="\n").encode()
 
 
 def _sweep(material: Material) -> pd.DataFrame:

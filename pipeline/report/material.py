@@ -69,7 +69,7 @@ class Material:
 
     ``sample`` gives a set's true weights ``(channels, count)``; ``fronts`` the Pareto front of bytes and E_mean,
     ``(points, 2)``, for each number of bands and layout; ``origins`` what the stage of that name found, if it ran;
-    ``surroundings`` are by the number of bands; ``ringing`` the study behind the picture ``gibbs``, if it is wanted.
+    ``held_out`` counts the sets that errors were measured on; ``surroundings`` are by the number of bands; ``ringing`` the study behind the picture ``gibbs``, if it is wanted.
     """
 
     name: str
@@ -85,14 +85,13 @@ class Material:
     sweep: Sweep
     grid: tuple[Array, ...]
     least: Array
+    held_out: int
     bands: int
     mirrored: bool
     condition: float
     cases: Mapping[str, Array]
     sample: Callable[[Array], Array]
     settings: Mapping[str, Any]
-    environment: Mapping[str, Any]
-    keys: Mapping[str, str]
     rule: Mapping[str, Any]
     surroundings: Mapping[int, Surroundings]
     ringing: Study | None = None

@@ -29,8 +29,6 @@ def html(material: Material, pictures: Sequence[str]) -> bytes:
         facts=_facts(material),
         skipped=skipped.rows(material),
         settings=json.dumps(material.settings, indent=2),
-        environment={k: v if isinstance(v, str) else " ".join(v) for k, v in material.environment.items()},
-        keys=material.keys,
     )
     return page.encode()
 
@@ -58,13 +56,16 @@ def _row(material: Material, entry: Entry, bands: int) -> dict[str, Any]:
 
 def _facts(material: Material) -> dict[str, str]:
     sets = int(np.prod([nodes.size for nodes in material.grid]))
-    random = material.settings["truth"]["random"]
+    truth = material.settings["truth"]
+    random = truth["random"]
     return {
         "Light": material.light.title,
         "Axes": "; ".join(f"{a.name} [{a.low:.6g}, {a.high:.6g}] {a.unit}, map {a.map}" for a in material.axes),
         "Truth": f"{material.rule['rule']} quadrature, {material.rule['nodes']} nodes, estimated error "
         f"{material.rule['estimate']:.1e} of each set's largest weight",
-        "Verification": f"{sets} grid sets that share no interior node with the fit grid, and {random} random sets",
+        "Seen by selection": f"{sets} grid sets that share no interior node with the fit grid, and {random} random sets",
+        "Errors": f"measured on {material.held_out} held-out sets that nothing else reads: {truth['held_out']} scrambled "
+        f"Sobol sets, {truth['held_out_edge']} on each edge of the ranges, and the corners",
         "Stored orders": "m >= 0 (the light is mirror-symmetric about the sun's azimuth)" if material.mirrored else "all",
         "Condition number of the fit": f"{material.condition:.3g}",
         "Least luminance over all sets": f"{material.least.min():.5g} cd/m2",

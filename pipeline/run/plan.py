@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
@@ -41,12 +42,13 @@ class Step:
 
 @dataclass(frozen=True)
 class Outcome:
-    """What became of a step."""
+    """What became of a step; ``provenance`` is that of whoever made it, perhaps another machine, long ago."""
 
     step: Step
     key: str
     seconds: float
     cached: bool
+    provenance: Mapping[str, Any]
 
 
 def keys(plan: Sequence[Step]) -> dict[str, str]:
@@ -103,7 +105,8 @@ def execute(
             except hdf5.CorruptArtifactError as error:
                 warn(str(error))
             else:
-                outcomes.setdefault(name, Outcome(step, key, time.perf_counter() - start, cached=True))
+                taken = time.perf_counter() - start
+                outcomes.setdefault(name, Outcome(step, key, taken, True, _provenance(loaded[name].attrs)))
                 return loaded[name]
         inputs = {needed: obtain(needed) for needed in step.inputs}
         start = time.perf_counter()
@@ -112,12 +115,19 @@ def execute(
         stamped = Dataset(made.variables, {**made.attrs, "step": name, "key": key, **provenance})
         store.put(step.stage, key, stamped)
         loaded[name] = stamped
-        outcomes[name] = Outcome(step, key, time.perf_counter() - start, cached=False)
+        outcomes[name] = Outcome(step, key, time.perf_counter() - start, False, _provenance(stamped.attrs))
         return stamped
 
     for step in plan:
         if store.has(step.stage, names[step.name]) and step.name not in wanted:
-            outcomes.setdefault(step.name, Outcome(step, names[step.name], 0.0, cached=True))
+            key = names[step.name]
+            found = _provenance(store.attributes(step.stage, key))
+            outcomes.setdefault(step.name, Outcome(step, key, 0.0, True, found))
         else:
             obtain(step.name)
     return outcomes, {name: loaded[name] for name in wanted}
+
+
+def _provenance(attrs: Mapping[str, Any]) -> dict[str, Any]:
+    found: dict[str, Any] = json.loads(str(attrs["provenance"]))
+    return found

@@ -1,16 +1,22 @@
-"""What an artifact says about where it comes from: config, versions, CPU. No dates, no places."""
+"""Where results come from: config, versions, processor and library kernels. No dates, no places.
+
+All of it travels with an artifact in the store and is published in ``run.json`` alone: results do not hang on it.
+"""
 
 from __future__ import annotations
 
 import platform
 from functools import lru_cache
+from importlib import import_module
 from importlib.metadata import version
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from pipeline import __version__
 from pipeline.config.schema import Config
+from pipeline.store.keys import digest
 
 _LIBRARIES = ("numpy", "scipy", "h5py", "dask")
 # Those whose versions can change a result; drawing libraries change the report alone.
@@ -19,7 +25,12 @@ _DRAWING = ("matplotlib", "pandas", "jinja2")
 
 @lru_cache(maxsize=1)
 def environment() -> dict[str, Any]:
-    """Return versions of everything that computes, and the CPU features NumPy found: they decide the last bits."""
+    """Return versions of everything that computes, the CPU features NumPy found and the kernels BLAS chose."""
+    from threadpoolctl import threadpool_info
+
+    # SciPy has a BLAS of its own, which is told once it is loaded.
+    import_module("scipy.linalg")
+
     found = np.show_config(mode="dicts") or {}
     features = found.get("SIMD Extensions", {})
     return {
@@ -27,6 +38,11 @@ def environment() -> dict[str, Any]:
         "python": platform.python_version(),
         "machine": platform.machine(),
         "cpu_features": sorted(set(features.get("baseline", [])) | set(features.get("found", []))),
+        "blas": sorted(
+            f"{Path(found['filepath']).parent.name} {found['internal_api']} {found['version']} {found.get('architecture', '')}"
+            for found in threadpool_info()
+            if found["user_api"] == "blas"
+        ),
         **{name: version(name) for name in _LIBRARIES},
     }
 
@@ -46,3 +62,8 @@ def drawing() -> dict[str, str]:
 def settings(config: Config) -> dict[str, Any]:
     """Return the config as JSON-like data, without what changes no result: where work is done, files, what it extends."""
     return config.model_dump(mode="json", exclude={"extends": True, "run": True, "export": {"targets"}})
+
+
+def settings_digest(config: Config) -> str:
+    """Return the SHA-256 of ``settings``, by which a header names its config."""
+    return digest(settings(config))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 import os
 import platform
@@ -16,13 +17,14 @@ from threadpoolctl import threadpool_limits
 from pipeline.config.schema import Config
 from pipeline.run import plan, progress
 from pipeline.run.provenance import environment, settings
-from pipeline.run.stages import export, fit, origins, report, select, surroundings, truth, variables
+from pipeline.run.stages import export, fit, measure, origins, report, select, surroundings, truth, variables
 from pipeline.run.stages.files import from_dataset
 from pipeline.store import atomic
 from pipeline.store.store import Store
 
+SUMS = "SHA256SUMS"
 # The order is the pipeline's: each stage reads only what stands before it.
-STAGES = (truth, variables, surroundings, fit, origins, select, export, report)
+STAGES = (truth, variables, surroundings, fit, origins, select, measure, export, report)
 
 
 @dataclass(frozen=True)
@@ -50,6 +52,7 @@ def run(config: Config, store: Store, reports: Path, warn: Callable[[str], None]
     start = time.perf_counter()
     folder = reports / config.name
     files = {path: data for artifact in artifacts.values() for path, data in from_dataset(artifact).items()}
+    files[SUMS] = sums(files).encode()
     _publish(folder, files)
     store.keep(config.name, [outcome.key for outcome in outcomes.values()])
     stages = _by_stage(outcomes)
@@ -60,9 +63,26 @@ def run(config: Config, store: Store, reports: Path, warn: Callable[[str], None]
         "machine": {"cores": os.cpu_count(), "system": platform.system(), "processor": platform.machine()},
         "run": config.run.model_dump(mode="json"),
         "files": sorted(files),
+        **_computed(outcomes),
     }
     _write(folder / "run.json", (json.dumps(record, indent=2) + "\n").encode())
     return Result(folder, stages, json.loads(files["summary.json"]))
+
+
+def sums(files: Mapping[str, bytes]) -> str:
+    """Return the lines of SHA256SUMS, as ``sha256sum --check`` reads them: of what is the same on every machine."""
+    same = sorted(path for path in files if path.startswith("export/") or path in ("errors.csv", "summary.json"))
+    return "".join(f"{hashlib.sha256(files[path]).hexdigest()}  {path}\n" for path in same)
+
+
+def _computed(outcomes: Mapping[str, plan.Outcome]) -> dict[str, Any]:
+    """Return who computed what: every environment once, and each artifact's place among them."""
+    texts = {name: json.dumps(outcome.provenance["environment"], sort_keys=True) for name, outcome in outcomes.items()}
+    known = sorted(set(texts.values()))
+    return {
+        "environments": [json.loads(text) for text in known],
+        "computed_in": {name: known.index(text) for name, text in texts.items()},
+    }
 
 
 def _by_stage(outcomes: Mapping[str, plan.Outcome]) -> dict[str, dict[str, Any]]:

@@ -63,6 +63,15 @@ def read(path: Path) -> Dataset:
     return dataset
 
 
+def attributes(path: Path) -> dict[str, Any]:
+    """Read the attributes of the whole, without a check. Raises CorruptArtifactError where the file cannot be read."""
+    try:
+        with h5py.File(path, "r") as file:
+            return {key: _plain(value) for key, value in file.attrs.items()}
+    except OSError as error:
+        raise CorruptArtifactError(f"{path} cannot be read ({error}). Delete it; the next run makes it again.") from error
+
+
 def _write_variable(file: Any, name: str, variable: Variable) -> None:
     data = variable.data
     kind = {"dtype": h5py.string_dtype()} if data.dtype.kind in "OUT" else {}

@@ -8,6 +8,7 @@ import time
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from pipeline.store import atomic, hdf5
 from pipeline.store.dataset import Dataset
@@ -44,6 +45,10 @@ class Store:
     def get(self, stage: str, key: str) -> Dataset:
         """Read an artifact. Raises CorruptArtifactError where its content does not match its checksum."""
         return hdf5.read(self.path(stage, key))
+
+    def attributes(self, stage: str, key: str) -> dict[str, Any]:
+        """Return an artifact's attributes alone, unchecked. Raises CorruptArtifactError where it cannot be read."""
+        return hdf5.attributes(self.path(stage, key))
 
     def put(self, stage: str, key: str, dataset: Dataset) -> None:
         """Publish an artifact atomically."""

@@ -50,12 +50,13 @@ def evaluate(factor: Factor | None, axes: Sequence[Axis], values: Floats) -> Flo
     if factor is None:
         return np.ones(len(values), dtype=values.dtype)
     if isinstance(factor, ClosedForm):
-        named = {axis.name: values[:, i] for i, axis in enumerate(axes)}
+        named = {axis.name: np.ascontiguousarray(values[:, i]) for i, axis in enumerate(axes)}
         named |= {name: np.full(len(values), value, dtype=values.dtype) for name, value in factor.fixed}
         return np.asarray(PREFACTORS[factor.name].evaluate(named, factor.constants), dtype=values.dtype)
     out: Floats = np.broadcast_to(factor.coefficients.astype(values.dtype), (len(values), *factor.coefficients.shape))
     for i, axis in enumerate(axes):
-        # The first axis left is summed over, again and again.
-        vander = BASES["chebyshev"].vander(axis.scaled(values[:, i]), factor.coefficients.shape[i] - 1)
-        out = np.einsum("ni...,ni->n...", out, vander)
+        # The first axis left is summed over, again and again, in a fixed order.
+        vander = BASES["chebyshev"].vander(axis.scaled(np.ascontiguousarray(values[:, i])), factor.coefficients.shape[i] - 1)
+        terms = (out[:, k] * vander[:, k].reshape(-1, *(1,) * (out.ndim - 2)) for k in range(out.shape[1]))
+        out = sum(terms, start=np.zeros(1, dtype=values.dtype))
     return np.asarray(1 / out, dtype=values.dtype)

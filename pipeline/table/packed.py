@@ -113,7 +113,8 @@ def _profiles(layout: _Layout, first: int) -> _Profiles:
     shapes = ((bands, first), (layout.lengths.shape[2],), (layout.lengths.shape[1],))
     indices = (layout.band * first + layout.place, layout.rest, layout.channel)
     sizes = tuple(int(np.prod(shape)) for shape in shapes)
-    logarithms = 2.0 * np.log2(layout.folded + 1.0)
+    # Rounded, since libraries' logarithms differ in the last bit and a profile's entry hangs on it.
+    logarithms = np.ldexp(np.rint(np.ldexp(np.log2(layout.folded + 1.0), 25)), -24)
     means = [np.zeros(size) for size in sizes]
     for _ in range(_ROUNDS):
         for a, (index, size) in enumerate(zip(indices, sizes, strict=True)):

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pipeline import sphere
+from pipeline.reproducible import product
 
 Array = NDArray[np.float64]
 Floats = NDArray[np.floating]
@@ -39,8 +40,10 @@ class Surroundings:
 
     def apply(self, weights: Floats, bands: int) -> Floats:
         """Return the first ``bands`` bands of the scene, ``(..., channels, M*M)``, from all ``(..., channels, N*N)``."""
-        real = weights.dtype
-        out = weights @ self.transfer.T.astype(real) if self.transfer.size else weights
+        real, out = weights.dtype, weights
+        if self.transfer.size:
+            flat = product(weights.reshape(-1, weights.shape[-1]), self.transfer.T.astype(real))
+            out = flat.reshape(*weights.shape[:-1], -1)
         if self.own.size:
             out = out + self.own.astype(real)
         if self.below.size:

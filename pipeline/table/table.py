@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from pipeline import sphere
 from pipeline.fit.axes import Axis
 from pipeline.fit.bases import BASES
+from pipeline.reproducible import product
 from pipeline.table import factor as factors
 from pipeline.table import packed, rows, twilight
 from pipeline.table.factor import Factor
@@ -126,16 +127,17 @@ class Table:
     def evaluate(self, values: Array) -> Floats:
         """Return the stored weights at parameter sets ``(n, axes)``, azimuth 0: ``(n, channels, count)``.
 
-        Works in the table's dtype throughout. Values must lie in the axes' ranges.
+        Works in the table's dtype throughout, terms summed in their order, so that a set's bits depend on nothing but the
+        set. Values must lie in the axes' ranges.
         """
         places, matrix = self._matrix
         out = np.empty((len(values), len(self.channels), self.count), dtype=self.dtype)
         for start in range(0, len(values), _SETS_AT_ONCE):
             part = values[start : start + _SETS_AT_ONCE].astype(self.dtype)
-            product = products(self.basis, self.axes, part, self.degrees)[:, places]
+            terms = products(self.basis, self.axes, part, self.degrees)[:, places]
             if self.factor:
-                product = product * factors.evaluate(self.factor, self.axes, part)[:, np.newaxis]
-            out[start : start + _SETS_AT_ONCE] = (product @ matrix).reshape(len(part), *out.shape[1:])
+                terms = terms * factors.evaluate(self.factor, self.axes, part)[:, np.newaxis]
+            out[start : start + _SETS_AT_ONCE] = product(terms, matrix).reshape(len(part), *out.shape[1:])
         return out
 
     @property
@@ -182,7 +184,8 @@ def products(basis: str, axes: Sequence[Axis], values: Floats, degrees: Sequence
     """Return all products of one basis function an axis: ``(n, terms)``, first axis slowest, in the values' dtype."""
     out = np.ones((len(values), 1), dtype=values.dtype)
     for i, (axis, degree) in enumerate(zip(axes, degrees, strict=True)):
-        vander = BASES[basis].vander(axis.scaled(values[:, i]), degree)
+        # A column of its own: libraries' functions may treat numbers that do not lie side by side otherwise.
+        vander = BASES[basis].vander(axis.scaled(np.ascontiguousarray(values[:, i])), degree)
         out = (out[:, :, np.newaxis] * vander[:, np.newaxis, :]).reshape(len(values), -1)
     return out
 

@@ -1,7 +1,8 @@
-"""Parameter sets: grids, seeded random sets, and their split into chunks that share quadrature nodes."""
+"""Parameter sets: grids, seeded random and held-out sets, and their split into chunks that share quadrature nodes."""
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Sequence
 
 import numpy as np
@@ -20,6 +21,34 @@ def random(ranges: Sequence[tuple[float, float]], count: int, seed: int) -> Arra
     """Return ``count`` uniform random sets inside ``ranges``, shape ``(count, axes)``; the seed decides them."""
     low, high = np.array(ranges, dtype=np.float64).T
     return np.asarray(low + (high - low) * np.random.default_rng(seed).random((count, len(ranges))))
+
+
+def held_out(ranges: Sequence[tuple[float, float]], count: int, edge: int, seed: int) -> Array:
+    """Return ``count`` scrambled Sobol sets, ``edge`` more on each edge of the ranges, and the corners: ``(n, axes)``.
+
+    An edge holds one axis at an end of its range while the others are a Sobol sequence of their own. Axes of no width
+    and, of a single axis, edges (they are its corners) add nothing. The seed decides all.
+    """
+    low, high = np.array(ranges, dtype=np.float64).T
+    axes = len(ranges)
+    wide = np.flatnonzero(high > low).tolist()
+    parts = [_sobol(axes, count, seed)]
+    for place, axis in enumerate(wide if len(wide) > 1 else ()):
+        for end in (0.0, 1.0):
+            others = _sobol(axes - 1, edge, seed + 1 + 2 * place + int(end))
+            parts.append(np.insert(others, axis, end, axis=1))
+    ends = [(0.0, 1.0) if axis in wide else (0.0,) for axis in range(axes)]
+    parts.append(np.array(list(itertools.product(*ends))))
+    unit = np.concatenate(parts)
+    # An end of the range is met to the last bit.
+    return np.where(unit == 1.0, high, low + (high - low) * unit)
+
+
+def _sobol(axes: int, count: int, seed: int) -> Array:
+    from scipy.stats import qmc  # only a run that measures needs it, and it takes a third of a second
+
+    sequence = qmc.Sobol(axes, scramble=True, bits=30, rng=np.random.default_rng(seed))
+    return np.asarray(sequence.random_base2(max(0, count - 1).bit_length())[:count])
 
 
 def chunks(sets: Array, shared: int | None, size: int) -> list[Index]:

@@ -3,24 +3,25 @@
 from __future__ import annotations
 
 import dataclasses
-import io
 import json
-from collections.abc import Mapping
 from functools import partial
 from typing import Any
 
+from pipeline import __version__
 from pipeline.config.names import wanted
 from pipeline.config.schema import Config
 from pipeline.export import c_header, npz, shaders, vectors
 from pipeline.run.executors import Advance
 from pipeline.run.plan import Inputs, Step
-from pipeline.run.provenance import environment, settings
+from pipeline.run.provenance import settings, settings_digest
 from pipeline.run.stages.files import to_dataset
+from pipeline.run.stages.measure import read_table
 from pipeline.store.dataset import Dataset
 from pipeline.table.table import Table
 
-_PARTS = ("export", "files")
+_PARTS = ("export", "files", "measure", "select", "fit", "axes", "frame", "scene")
 _CODE = (
+    "reproducible.py",
     "light",
     "sphere",
     "fit",
@@ -34,18 +35,12 @@ _CODE = (
 
 def steps(config: Config) -> list[Step]:
     """Return the export's step."""
-    parameters = {"config": settings(config), "targets": config.export.targets, "environment": environment()}
-    return [Step("export", "", _CODE, ("select",), parameters, partial(_make, config))]
+    parameters = {"config": settings(config), "targets": config.export.targets, "version": __version__}
+    return [Step("export", "", _CODE, ("select", "measure"), parameters, partial(_make, config))]
 
 
-def table_of(select: Dataset, name: str) -> Table:
-    """Return a winner from the selection's artifact."""
-    return npz.read(io.BytesIO(select[f"tables/{name}/npz"].tobytes()))
-
-
-def facts_of(config: Config, select: Dataset, name: str) -> dict[str, Any]:
-    """Return one row of the summary: a table's name, place, size and measured errors."""
-    table = table_of(select, name)
+def facts_of(config: Config, table: Table, measured: Dataset, name: str) -> dict[str, Any]:
+    """Return one row of the summary: a table's name, place, size and measured errors, to six digits."""
     place = "export" if name == config.export.recommended else f"export/{name}"
     return {
         "name": name,
@@ -55,23 +50,24 @@ def facts_of(config: Config, select: Dataset, name: str) -> dict[str, Any]:
         "layout": table.body.kind,
         "bytes": table.bytes,
         "coefficients": table.coefficients,
-        "e_mean": float(select[f"tables/{name}/e_mean"][0, :, -1].max()),
-        "e_max": float(select[f"tables/{name}/e_max"][0, :, -1].max()),
-        "l_min": str(select.attrs["conventions"]).split(",")[0],
+        "e_mean": _six_digits(measured[f"tables/{name}/e_mean"][0, :, -1].max()),
+        "e_max": _six_digits(measured[f"tables/{name}/e_max"][0, :, -1].max()),
+        "l_min": str(measured.attrs["conventions"]).split(",")[0],
         "quantity": table.quantity,
-        "least": float(select[f"tables/{name}/least"]),
+        "least": _six_digits(measured[f"tables/{name}/least"]),
     }
 
 
 def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
-    select = inputs["select"]
+    select, measured = inputs["select"], inputs["measure"]
     asked = wanted(config)
     files: dict[str, bytes] = {}
     rows = []
     for done, table_wanted in enumerate(asked):
         advance(done, len(asked))
         name = table_wanted.name
-        row = facts_of(config, select, name)
+        found = read_table(select, f"tables/{name}")
+        row = facts_of(config, found, measured, name)
         rows.append(row)
         provenance = {
             "table": name,
@@ -80,17 +76,16 @@ def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
             "e_max": row["e_max"],
             "l_min": row["l_min"],
             "config": settings(config),
-            "environment": environment(),
-            "keys": {"select": str(select.attrs["key"])},
+            "version": __version__,
         }
-        table = dataclasses.replace(table_of(select, name), provenance=provenance)
+        table = dataclasses.replace(found, provenance=provenance)
         facts = c_header.Facts(
             config.source.title,
             row["e_mean"],
             row["e_max"],
             row["l_min"],
-            _lines(config, provenance),
-            least=float(select[f"tables/{name}/least"]),
+            [f"skylight-sh {__version__}, config {config.name} {settings_digest(config)[:16]}, table {name}"],
+            least=row["least"],
             luminance=config.source.luminance_row.tolist(),
         )
         files[f"{row['path']}/skylight_sh.npz"] = npz.write(table)
@@ -106,12 +101,6 @@ def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
     return to_dataset(files)
 
 
-def _lines(config: Config, provenance: Mapping[str, Any]) -> list[str]:
-    env = provenance["environment"]
-    versions = ", ".join(f"{name} {env[name]}" for name in ("python", "numpy", "scipy", "h5py", "dask"))
-    return [
-        f"config {config.name}, table {provenance['table']}",
-        f"selection {provenance['keys']['select']}",
-        versions,
-        f"{env['machine']}: {' '.join(env['cpu_features'])}",
-    ]
+def _six_digits(value: Any) -> float:
+    """Return a figure as it is published: what lies below six digits is the machine's."""
+    return float(f"{float(value):.6g}")

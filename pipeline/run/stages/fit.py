@@ -1,7 +1,8 @@
-"""Fit: one fit of the whole grid, its sweep over degrees and bands, and the fits shown beside it."""
+"""Fit: one fit of the whole grid, and the fits shown beside it."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import asdict
 from functools import partial
 
@@ -14,28 +15,27 @@ from pipeline.fit import solve
 from pipeline.fit.axes import Axis
 from pipeline.fit.bases import BASES
 from pipeline.fit.errors import Reference, mean_luminance
-from pipeline.fit.sweep import sweep
+from pipeline.fit.sweep import Worst, sweep
 from pipeline.run.executors import Advance
 from pipeline.run.plan import Inputs, Step
-from pipeline.run.stages.axes import fit_nodes, variables
-from pipeline.run.stages.frame import frame_of, surrounded
+from pipeline.run.stages.axes import axes_of, fit_nodes, variables
+from pipeline.run.stages.frame import factor_of, frame_of, surrounded
 from pipeline.run.stages.scene import folded, luminance_scale
 from pipeline.store.dataset import Dataset, Variable
 from pipeline.table import factor as factors
-from pipeline.table.measure import measure
 from pipeline.table.table import Frame, Table, whole
 from pipeline.truth import sets as parameter_sets
 
 Array = NDArray[np.float64]
 
 _CODE = (
-    *("light", "sphere", "fit", "table", "truth/sets.py", "export/npz.py"),
+    *("reproducible.py", "light", "sphere", "fit", "table", "truth/sets.py", "export/npz.py"),
     *(f"run/stages/{part}.py" for part in ("fit", "axes", "frame", "scene")),
 )
 
 
 def truth_inputs(config: Config) -> tuple[str, ...]:
-    """Return the names of the truth steps that errors are measured on."""
+    """Return the names of the truth steps that selection sees."""
     return ("truth/verification", *(("truth/random",) if config.truth.random else ()))
 
 
@@ -47,13 +47,13 @@ def steps(config: Config) -> list[Step]:
         "light": {**asdict(config.light), "version": config.light.version},
         "scene": config.scene.model_dump(mode="json"),
     }
-    needed = ("truth/grid", *variables(config), *surrounded(config), *truth_inputs(config))
+    needed = ("truth/grid", *variables(config), *surrounded(config))
     return [Step("fit", "", _CODE, needed, parameters, partial(_make, config))]
 
 
-def reference_of(config: Config, inputs: Inputs) -> Reference:
-    """Gather the verification grid and the random sets into what errors are measured against."""
-    parts = [inputs[name] for name in truth_inputs(config)]
+def reference_of(config: Config, inputs: Inputs, truths: Sequence[str]) -> Reference:
+    """Gather the steps ``truths``, grids or lists of sets, into what errors are measured against."""
+    parts = [inputs[name] for name in truths]
     names = [axis.name for axis in config.axes]
     parameters = []
     for part in parts:
@@ -88,60 +88,31 @@ def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
         solution = solve.fit_full(flattened, matrices, config.fit.solver)
     coefficients = solution.reshape(*outputs, *solution.shape[1:])
 
-    reference = reference_of(config, inputs)
-    total = 1 + len(config.fit.references)
-    advance(0, total)
-    found = _swept(config, frame, coefficients, reference)
     powers = tuple(f"power_{axis.name}" for axis in axes)
-    found["coefficients"] = Variable(("channel", "weight", *powers), coefficients)
-    found["condition"] = Variable((), np.array(solve.condition(matrices)))
-    for done, section in enumerate(config.fit.references, start=1):
-        advance(done, total)
-        found |= _referenced(config, section, samples, axes, nodes, mirrored, reference)
-    return Dataset(found, {"mirrored": mirrored, "conventions": ",".join(reference.l_min)})
+    found = {
+        "coefficients": Variable(("channel", "weight", *powers), coefficients),
+        "condition": Variable((), np.array(solve.condition(matrices))),
+    }
+    for done, section in enumerate(config.fit.references):
+        advance(done, len(config.fit.references))
+        table, condition = fit_reference(config, section, samples, axes, nodes, mirrored)
+        start = f"references/{section.name}"
+        found[f"{start}/npz"] = Variable(("byte",), np.frombuffer(npz.write(table), dtype=np.uint8))
+        found[f"{start}/condition"] = Variable((), np.array(condition))
+    return Dataset(found, {"mirrored": mirrored})
 
 
-def _swept(config: Config, frame: Frame, coefficients: Array, reference: Reference) -> dict[str, Variable]:
+def swept(config: Config, inputs: Inputs, reference: Reference) -> Worst:
+    """Measure every combination of the config's degrees against ``reference``, truncations of the one fit."""
+    axes, fit = axes_of(config, inputs), inputs["fit"]
     vander = BASES[config.fit.basis].vander
     vanders = [
         vander(axis.scaled(reference.parameters[:, i]), s.degrees[1])
-        for i, (axis, s) in enumerate(zip(frame.axes, config.axes, strict=True))
+        for i, (axis, s) in enumerate(zip(axes, config.axes, strict=True))
     ]
     degrees = [range(s.degrees[0], s.degrees[1] + 1) for s in config.axes]
-    factor = np.asarray(factors.evaluate(frame.factor, frame.axes, reference.parameters), dtype=np.float64)
-    worst = sweep(coefficients, vanders, factor, reference, degrees, config.truth.bands)
-    dims = ("combination", "channel", "bands")
-    return {
-        "sweep/degrees": Variable(("combination", "axis"), np.array(worst.degrees)),
-        "sweep/e_max": Variable(("l_min", *dims), np.stack(list(worst.e_max.values()))),
-        "sweep/e_mean": Variable(("l_min", *dims), np.stack(list(worst.e_mean.values()))),
-        "sweep/at": Variable(("l_min", *dims, "axis"), reference.parameters[np.stack(list(worst.at.values()))]),
-        "sweep/rel_l2": Variable(dims, worst.rel_l2),
-    }
-
-
-def _referenced(
-    config: Config,
-    section: ReferenceSection,
-    samples: Array,
-    axes: tuple[Axis, ...],
-    nodes: list[Array],
-    mirrored: bool,
-    reference: Reference,
-) -> dict[str, Variable]:
-    table, condition = fit_reference(config, section, samples, axes, nodes, mirrored)
-    measured = measure(table, reference)
-    start = f"references/{section.name}"
-    dims = ("l_min", "channel", "bands")
-    return {
-        f"{start}/npz": Variable(("byte",), np.frombuffer(npz.write(table), dtype=np.uint8)),
-        f"{start}/condition": Variable((), np.array(condition)),
-        f"{start}/e_max": Variable(dims, measured.e_max),
-        f"{start}/e_mean": Variable(dims, measured.e_mean),
-        f"{start}/at": Variable((*dims, "axis"), reference.parameters[measured.at]),
-        f"{start}/rel_l2": Variable(dims[1:], measured.rel_l2),
-        f"{start}/per_set": Variable(("set",), measured.per_set),
-    }
+    factor = np.asarray(factors.evaluate(factor_of(config, inputs), axes, reference.parameters), dtype=np.float64)
+    return sweep(fit["coefficients"], vanders, factor, reference, degrees, config.truth.bands)
 
 
 def fit_reference(

@@ -28,6 +28,7 @@ NAME = "origins"
 STEP = "fit/origins"
 _PARTS = ("origins", "axes", "fit", "frame", "scene")
 _CODE = (
+    "reproducible.py",
     "light",
     "sphere",
     "fit",
@@ -68,7 +69,7 @@ def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
     axes = axes_of(config, inputs)
     nodes = fit_nodes(config, axes)
     bands = min(_BANDS, config.truth.bands)
-    reference = reference_of(config, inputs)
+    reference = reference_of(config, inputs, truth_inputs(config))
     grid = inputs["truth/grid"]
     count = sphere.count(bands, mirrored=bool(grid.attrs["mirrored"]))
     exact = grid["weights"][..., :count].reshape(-1, len(config.source.channels), count)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 from dataclasses import replace
 from functools import partial
 from typing import Any
@@ -12,14 +11,14 @@ from numpy.typing import NDArray
 
 from pipeline.config.names import table_names
 from pipeline.config.schema import Config
-from pipeline.export import npz
 from pipeline.report.material import Entry, Material, Sweep
 from pipeline.run.executors import Advance
 from pipeline.run.plan import Inputs, Step
-from pipeline.run.provenance import drawing, environment, settings
+from pipeline.run.provenance import drawing, settings
 from pipeline.run.stages import origins
 from pipeline.run.stages.axes import axes_of, variables
 from pipeline.run.stages.files import to_dataset
+from pipeline.run.stages.measure import read_table
 from pipeline.run.stages.frame import surrounded, surroundings_of
 from pipeline.run.stages.scene import folded
 from pipeline.store.dataset import Dataset
@@ -27,8 +26,9 @@ from pipeline.truth import sampling
 
 Array = NDArray[np.float64]
 
-_PARTS = ("report", "scene", "axes", "files", "origins", "fit", "frame")
+_PARTS = ("report", "scene", "axes", "files", "origins", "fit", "frame", "measure", "select")
 _CODE = (
+    "reproducible.py",
     "report",
     "light",
     "probe",
@@ -40,12 +40,12 @@ _CODE = (
     "config/names.py",
     *(f"run/stages/{p}.py" for p in _PARTS),
 )
-_INPUTS = ("truth/rule", "truth/verification", "fit", "select")
+_INPUTS = ("truth/rule", "truth/verification", "fit", "select", "measure")
 
 
 def steps(config: Config) -> list[Step]:
     """Return the report's step."""
-    parameters = {"config": settings(config), "environment": environment(), "drawing": drawing()}
+    parameters = {"config": settings(config), "drawing": drawing()}
     explained = (origins.STEP,) if origins.is_wanted(config) else ()
     needed = (*_INPUTS, *variables(config), *surrounded(config), *explained)
     return [Step("report", "", _CODE, needed, parameters, partial(_make, config))]
@@ -59,6 +59,7 @@ def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
     material = _material(config, inputs)
     wanted = [name for name in PICTURES if name in config.report.figures]
     files = {"errors.csv": errors.csv(material)}
+    files |= {"references.csv": errors.references_csv(material)} if material.references else {}
     if "gibbs" in wanted:
         material = replace(material, ringing=ringing.study(material))
         names = [axis.name for axis in material.axes]
@@ -75,7 +76,9 @@ def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
 
 
 def _material(config: Config, inputs: Inputs) -> Material:
-    fit, select, grid, rule = (inputs[name] for name in ("fit", "select", "truth/verification", "truth/rule"))
+    fit, select, measured, grid, rule = (
+        inputs[name] for name in ("fit", "select", "measure", "truth/verification", "truth/rule")
+    )
     names = tuple(axis.name for axis in config.axes)
 
     def sample(values: Array) -> Array:
@@ -91,26 +94,25 @@ def _material(config: Config, inputs: Inputs) -> Material:
         basis=config.fit.basis,
         light=config.source,
         axes=axes_of(config, inputs),
-        conventions=tuple(str(select.attrs["conventions"]).split(",")),
+        conventions=tuple(str(measured.attrs["conventions"]).split(",")),
         fronts={
             (int(bands), layout): select[f"fronts/{bands}-{layout}"]
             for bands, layout in (n.removeprefix("fronts/").split("-") for n in select.variables if n.startswith("fronts/"))
         },
         origins=_arrays(inputs[origins.STEP]) if origins.STEP in inputs else None,
-        winners=tuple(_entry(select, f"tables/{name}", name) for name in table_names(config)),
-        references=tuple(_entry(fit, f"references/{r.name}", r.name) for r in config.fit.references),
+        winners=tuple(_entry(select, measured, f"tables/{name}", name) for name in table_names(config)),
+        references=tuple(_entry(fit, measured, f"references/{r.name}", r.name) for r in config.fit.references),
         recommended=config.export.recommended,
-        sweep=Sweep(**{key: fit[f"sweep/{key}"] for key in ("degrees", "e_max", "e_mean", "rel_l2", "at")}),
+        sweep=Sweep(**{key: measured[f"sweep/{key}"] for key in ("degrees", "e_max", "e_mean", "rel_l2", "at")}),
         grid=tuple(grid[name] for name in names),
         least=grid["least_luminance"],
+        held_out=int(measured.attrs["held_out"]),
         bands=config.truth.bands,
         mirrored=bool(rule.attrs["mirrored"]),
         condition=float(fit["condition"]),
         cases={case.title: np.array([case.at[name] for name in names]) for case in config.report.cases},
         sample=sample,
         settings=settings(config),
-        environment=environment(),
-        keys={name: str(inputs[name].attrs["key"]) for name in (*_INPUTS, *surrounded(config))},
         rule=rule.attrs,
         surroundings=surroundings_of(inputs),
     )
@@ -120,11 +122,11 @@ def _arrays(artifact: Dataset) -> dict[str, NDArray[Any]]:
     return {name: variable.data for name, variable in artifact.variables.items()}
 
 
-def _entry(artifact: Dataset, start: str, name: str) -> Entry:
+def _entry(artifact: Dataset, measured: Dataset, start: str, name: str) -> Entry:
     known = artifact.variables
     return Entry(
         name=name,
-        table=npz.read(io.BytesIO(artifact[f"{start}/npz"].tobytes())),
-        **{key: artifact[f"{start}/{key}"] for key in ("e_max", "e_mean", "rel_l2", "at", "per_set")},
+        table=read_table(artifact, start),
+        **{key: measured[f"{start}/{key}"] for key in ("e_max", "e_mean", "rel_l2", "at", "per_set")},
         condition=float(artifact[f"{start}/condition"]) if f"{start}/condition" in known else None,
     )

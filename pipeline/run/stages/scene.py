@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 from numpy.typing import NDArray
 
 from pipeline import sphere
 from pipeline.config.schema import Config
+from pipeline.fit.errors import Reference
 from pipeline.light import Preetham, sun
 
 Array = NDArray[np.float64]
@@ -51,3 +54,10 @@ def window(config: Config, bands: int, degrees: Index, orders: Index) -> Array:
     if not config.scene.window:
         return np.ones(degrees.size)
     return np.asarray(sphere.zonal_sinc(bands)[degrees * (degrees + 1) + orders])
+
+
+def windowed_reference(config: Config, bands: int, mirrored: bool, reference: Reference) -> Reference:
+    """Return what a table of ``bands`` bands is measured against: its own weights, behind the window if there is one."""
+    use = reference.first_bands(bands)
+    factors = window(config, bands, *sphere.degrees_orders(bands, mirrored=mirrored))
+    return replace(reference, weights=reference.weights[..., use] * factors, degrees=reference.degrees[use])

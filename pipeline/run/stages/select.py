@@ -1,4 +1,7 @@
-"""Select: under each error budget the fastest or the smallest table, measured as shipped."""
+"""Select: under each error budget the fastest or the smallest table, tried as shipped.
+
+What is decided here hangs on rounded numbers alone, so that every machine selects the same tables: see ``reproducible``.
+"""
 
 from __future__ import annotations
 
@@ -10,24 +13,25 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pipeline import sphere
+from pipeline.reproducible import significant, to_grid
 from pipeline.config.names import Wanted, wanted
 from pipeline.config.schema import Config
 from pipeline.export import npz
-from pipeline.fit.errors import Reference, mean_luminance
+from pipeline.fit.errors import Reference, l_min, mean_luminance
 from pipeline.fit.fewest import fewest
 from pipeline.fit.smallest import smallest
 from pipeline.fit.weighted import Sampled, even, metric
 from pipeline.run.executors import Advance, map_tasks
 from pipeline.run.plan import Inputs, Step
 from pipeline.run.stages.axes import fit_nodes, variables
-from pipeline.run.stages.fit import reference_of, truth_inputs
+from pipeline.run.stages.fit import reference_of, swept, truth_inputs
 from pipeline.run.stages.frame import frame_of, surrounded
-from pipeline.run.stages.scene import folded, luminance_scale, window
+from pipeline.run.stages.scene import folded, luminance_scale, window, windowed_reference
 from pipeline.store.dataset import Dataset, Variable
 from pipeline.table import factor as factors
 from pipeline.table import packed
 from pipeline.table import table as tables
-from pipeline.table.measure import headline, least_reconstructed, measure
+from pipeline.table.measure import headline
 from pipeline.table.table import Frame, Table
 from pipeline.truth import sets as parameter_sets
 
@@ -37,20 +41,24 @@ Point = tuple[float, float]
 Result = tuple[Wanted, Table, list[Point]]
 
 _CODE = (
-    *("light", "sphere", "fit", "table", "truth/sets.py", "export/npz.py", "config/names.py"),
+    *("reproducible.py", "light", "sphere", "fit", "table", "truth/sets.py", "export/npz.py", "config/names.py"),
     *(f"run/stages/{part}.py" for part in ("select", "fit", "axes", "frame", "scene")),
 )
 # How often a table that float32 carries over its budget is sought again, with a budget how much below proportion.
 _RETRIES = 4
 _SHRINK = 0.995
-# Sets at which the least reconstructed luminance is sought.
-_LEAST_SETS = 150
+# Kept in hand of every budget: sets that selection does not see may err this much more than those that it sees.
+_IN_HAND = 0.03
+# Of the largest coefficient of a table laid out for speed: finer ones would be the last bits of the machine that fitted it.
+_GRID_BITS = {"float32": 24, "float64": 32}
+# Of budgets that a search makes of errors it met.
+_BUDGET_BITS = 10
+# One in so many of the sets that selection sees tells which degrees are enough.
+_SWEPT_EACH = 8
 # Budgets tried for a size: the last two differ by a few per cent.
 _SIZE_STEPS = 9
 # Searches start from degrees whose whole fit errs this much less than the budget.
 _HEADROOM = 10.0
-# A fast table may err this much more than the packed one of the same budget.
-_BESIDE_PACKED = 1.01
 
 
 class BudgetError(RuntimeError):
@@ -71,6 +79,7 @@ class _Material:
     swept: NDArray[np.int64]
     swept_error: Array
     window: Callable[[int, NDArray[np.int64], NDArray[np.int64]], Array]
+    behind_window: Callable[[int, bool, Reference], Reference]
 
     def windowed(self, bands: int) -> Array:
         """Return what a table of ``bands`` bands multiplies its weights with, ``(count,)``."""
@@ -78,9 +87,7 @@ class _Material:
 
     def reference_of(self, bands: int) -> Reference:
         """Return what a table of ``bands`` bands is measured against."""
-        use = self.reference.first_bands(bands)
-        weights = self.reference.weights[..., use] * self.windowed(bands)
-        return replace(self.reference, weights=weights, degrees=self.reference.degrees[use])
+        return self.behind_window(bands, self.frame.mirrored, self.reference)
 
     def enough(self, bands: int, budget: float) -> tuple[int, ...]:
         """Return the fewest degrees whose whole fit stays well within ``budget``, by the sweep; all where none does."""
@@ -100,7 +107,6 @@ def steps(config: Config) -> list[Step]:
 
 def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
     material = _gather(config, inputs)
-    reference = material.reference
     asked = wanted(config)
     made = {table.name: _given(table, material, inputs["fit"]) for table in asked if table.winner.degrees is not None}
     groups: dict[tuple[int, str, float], list[Wanted]] = {}
@@ -116,15 +122,12 @@ def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
     for table, best, tried in (result for group in results for result in group):
         made[table.name] = best
         fronts.setdefault((table.winner.bands, table.layout), []).extend(tried)
-    found: dict[str, Variable] = {"parameters": Variable(("set", "axis"), reference.parameters)}
+    found: dict[str, Variable] = {}
     for table in asked:
-        found |= _measured(table.name, made[table.name], material.reference_of(table.winner.bands))
-        some = reference.parameters[:: max(1, len(reference.parameters) // _LEAST_SETS)]
-        least = least_reconstructed(made[table.name], some, config.source.luminance_row)
-        found[f"tables/{table.name}/least"] = Variable((), np.array(least))
+        found[f"tables/{table.name}/npz"] = Variable(("byte",), np.frombuffer(npz.write(made[table.name]), dtype=np.uint8))
     for (bands, layout), points in sorted(fronts.items()):
         found[f"fronts/{bands}-{layout}"] = Variable(("point", "bytes_error"), np.array(_front(points)))
-    return Dataset(found, {"conventions": ",".join(reference.l_min)})
+    return Dataset(found, {})
 
 
 def _call(job: Callable[[], list[Result]]) -> list[Result]:
@@ -132,30 +135,11 @@ def _call(job: Callable[[], list[Result]]) -> list[Result]:
 
 
 def _searched(group: Sequence[Wanted], material: _Material) -> list[Result]:
-    """Search the tables of one budget: the packed one first, whose error then bounds the fast one's."""
-    found: list[Result] = []
-    for table in sorted(group, key=lambda w: w.layout != "packed"):
-        if table.size is not None:
-            found.append((table, *_within(table, table.size, material)))
-            continue
-        budget = table.budget or 0.0
-        if found:
-            budget = min(budget, _BESIDE_PACKED * headline(found[0][1], material.reference_of(table.winner.bands)))
-        found.append((table, *_cheapest(table, budget, material)))
-    return found
-
-
-def _measured(name: str, table: Table, reference: Reference) -> dict[str, Variable]:
-    measured = measure(table, reference)
-    dims = ("l_min", "channel", "bands")
-    return {
-        f"tables/{name}/npz": Variable(("byte",), np.frombuffer(npz.write(table), dtype=np.uint8)),
-        f"tables/{name}/e_max": Variable(dims, measured.e_max),
-        f"tables/{name}/e_mean": Variable(dims, measured.e_mean),
-        f"tables/{name}/at": Variable((*dims, "axis"), reference.parameters[measured.at]),
-        f"tables/{name}/rel_l2": Variable(dims[1:], measured.rel_l2),
-        f"tables/{name}/per_set": Variable(("set",), measured.per_set),
-    }
+    """Search the tables of one budget or size, each for itself."""
+    return [
+        (table, *(_cheapest(table, table.budget or 0.0, material) if table.size is None else _within(table, table.size, material)))
+        for table in group
+    ]
 
 
 def _gather(config: Config, inputs: Inputs) -> _Material:
@@ -163,17 +147,21 @@ def _gather(config: Config, inputs: Inputs) -> _Material:
     frame = frame_of(config, inputs, mirrored=bool(grid.attrs["mirrored"]))
     nodes = fit_nodes(config, frame.axes)
     shape = tuple(n.size for n in nodes)
-    reference = reference_of(config, inputs)
-    convention = next(iter(reference.l_min))
+    reference = reference_of(config, inputs, truth_inputs(config))
     radiance = grid["weights"].reshape(-1, *grid["weights"].shape[-2:])
     sets = parameter_sets.grid(nodes)
     weights, scale = folded(config, radiance, grid["degree"], sets), luminance_scale(config)
-    least = grid["least_luminance"].ravel()
-    if convention != "per-set":
-        least = mean_luminance(radiance[:, :, 0], config.source.luminance_row)
+    mean = mean_luminance(radiance[:, :, 0], config.source.luminance_row)
+    # Where any set that is checked has no positive least luminance, all have their mean.
+    least = scale * grid["least_luminance"].ravel() * ("mean" not in reference.l_min)
+    least = next(iter(l_min(least, scale * mean).values()))
     degrees = tuple(axis.degrees[1] for axis in config.axes)
-    swept, errors = inputs["fit"]["sweep/degrees"], inputs["fit"]["sweep/e_mean"][0]
-    return _Material(frame, sets, weights, scale * least, shape, degrees, reference, swept, errors, partial(window, config))
+    worst = swept(config, inputs, reference.some(_SWEPT_EACH))
+    errors = next(iter(worst.e_mean.values()))
+    return _Material(
+        *(frame, sets, weights, least, shape, degrees, reference, np.array(worst.degrees), errors),
+        *(partial(window, config), partial(windowed_reference, config)),
+    )
 
 
 def _given(table: Wanted, material: _Material, fit: Dataset) -> Table:
@@ -182,11 +170,17 @@ def _given(table: Wanted, material: _Material, fit: Dataset) -> Table:
     bands = table.winner.bands
     count = sphere.count(bands, mirrored=material.frame.mirrored)
     cut = cut[:, :count] * material.windowed(bands).reshape(-1, *(1,) * (cut.ndim - 2))
-    return tables.whole(material.frame, cut, bands, table.winner.dtype)
+    return tables.whole(material.frame, _gridded(material, cut, table.winner.dtype), bands, table.winner.dtype)
 
 
-def _cheapest(wanted_: Wanted, budget: float, material: _Material) -> tuple[Table, list[Point]]:
+def _gridded(material: _Material, dense: Array, dtype: str) -> Array:
+    """Round coefficients; not those of monomials, whose sums cancel: they are their machine's, as the paper's were."""
+    return dense if material.frame.basis == "monomial" else to_grid(dense, _GRID_BITS[dtype])
+
+
+def _cheapest(wanted_: Wanted, asked: float, material: _Material) -> tuple[Table, list[Point]]:
     """Search with a budget that shrinks until the table as shipped meets the one asked for; also return all tried."""
+    budget = (1.0 - _IN_HAND) * asked
     aim, reached, front = budget, np.inf, []
     material = replace(material, degrees=material.enough(wanted_.winner.bands, budget))
     for _ in range(_RETRIES):
@@ -199,10 +193,10 @@ def _cheapest(wanted_: Wanted, budget: float, material: _Material) -> tuple[Tabl
         reached = headline(table, material.reference_of(wanted_.winner.bands))
         if reached <= budget:
             return table, front
-        aim *= _SHRINK * budget / reached
+        aim = float(significant(aim * _SHRINK * budget / reached, _BUDGET_BITS))
     raise BudgetError(
-        f"No table of {wanted_.winner.bands} bands meets winners.budgets = {budget:g}: {wanted_.name} reaches "
-        f"{reached:.3g} with all degrees. Raise the budget, or the largest degrees of the axes."
+        f"No table of {wanted_.winner.bands} bands meets winners.budgets = {asked:g}: {wanted_.name} reaches "
+        f"{reached:.3g} with all degrees, and {_IN_HAND:.0%} of a budget are kept in hand. Raise the budget, or the largest degrees of the axes."
     )
 
 
@@ -220,7 +214,7 @@ def _within(wanted_: Wanted, size: int, material: _Material) -> tuple[Table, lis
     for _ in range(_SIZE_STEPS):
         middle = (low + high) / 2
         try:
-            table, tried = _cheapest(wanted_, float(np.exp(middle)), material)
+            table, tried = _cheapest(wanted_, float(significant(np.exp(middle), _BUDGET_BITS)), material)
         except BudgetError:
             low = middle
             continue
@@ -261,7 +255,7 @@ def _fast(wanted_: Wanted, aim: float, material: _Material) -> tuple[Table | Non
     empty = np.zeros((len(material.frame.channels), sphere.count(bands, mirrored=material.frame.mirrored), first, *rest))
 
     def table(lengths: NDArray[np.int64], dense: Array) -> Table:
-        shaped = dense.reshape(empty.shape)
+        shaped = _gridded(material, dense.reshape(empty.shape), dtype)
         return tables.fast(material.frame, shaped, lengths.reshape(rest), bands, dtype)
 
     points = [(float(table(k.lengths, empty).bytes), k.error) for k in tried]

@@ -1,4 +1,4 @@
-"""Truth: SH weights and least luminance on the fit grid, the verification grid and random sets."""
+"""Truth: SH weights and least luminance on the fit grid, the sets that selection sees, and those that only errors do."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ from pipeline.truth.samples import Samples
 Array = NDArray[np.float64]
 NodesOf = Callable[[Config, tuple[Axis, ...]], list[Array]]
 
-CODE = ("light", "sphere", "truth", "fit/axes.py", "fit/maps.py", "run/stages/truth.py", "run/stages/axes.py")
+CODE = ("reproducible.py", "light", "sphere", "truth", "fit/axes.py", "fit/maps.py", "run/stages/truth.py", "run/stages/axes.py")
 _SETS_PER_TASK = 64
 
 
@@ -64,6 +64,8 @@ def steps(config: Config) -> list[Step]:
     if config.truth.random:
         drawn = {"count": config.truth.random, "seed": config.truth.seed}
         found.append(Step("truth", "random", CODE, (rule.name,), drawn, partial(_make_random, config)))
+    kept = {"count": config.truth.held_out, "edge": config.truth.held_out_edge, "seed": config.truth.held_out_seed}
+    found.append(Step("truth", "held-out", CODE, (rule.name,), kept, partial(_make_held_out, config)))
     return found
 
 
@@ -101,11 +103,22 @@ def make_grid(config: Config, nodes_of: NodesOf, name: str, inputs: Inputs, adva
 
 def _make_random(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
     sets = parameter_sets.random([axis.range for axis in config.axes], config.truth.random, config.truth.seed)
+    return _make_list(config, sets, "random", inputs, advance)
+
+
+def _make_held_out(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
+    truth = config.truth
+    ranges = [axis.range for axis in config.axes]
+    sets = parameter_sets.held_out(ranges, truth.held_out, truth.held_out_edge, truth.held_out_seed)
+    return _make_list(config, sets, "held-out", inputs, advance)
+
+
+def _make_list(config: Config, sets: Array, name: str, inputs: Inputs, advance: Advance) -> Dataset:
     samples, rule = _sample(config, sets, inputs, advance)
     coordinates = {"set": Variable(("set",), np.arange(len(sets)))} | {
         axis.name: Variable(("set",), sets[:, i], {"units": axis.unit}) for i, axis in enumerate(given_axes(config))
     }
-    return _dataset(config, coordinates, ("set",), (len(sets),), samples, rule, "random")
+    return _dataset(config, coordinates, ("set",), (len(sets),), samples, rule, name)
 
 
 def _sample(config: Config, sets: Array, inputs: Inputs, advance: Advance) -> tuple[Samples, Dataset]:
