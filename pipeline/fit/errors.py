@@ -66,8 +66,12 @@ def l_min(least: Array, mean: Array) -> dict[str, Array]:
 
 def e_mean(residual: Array, l_min: Array) -> float:
     """Return the largest E_mean (eq. 3) of residuals ``(n, channels, count)`` over ``l_min`` ``(n,)``."""
-    root = np.sqrt(np.einsum("ncw,ncw->nc", residual, residual))
-    return float((root / l_min[:, np.newaxis]).max())
+    return float(e_means(residual, l_min).max())
+
+
+def e_means(residual: Array, l_min: Array) -> Array:
+    """Return each set's and channel's E_mean (eq. 3), ``(n, channels)``; arguments as ``e_mean``."""
+    return np.asarray(np.sqrt(np.square(residual).sum(axis=-1)) / l_min[:, np.newaxis])
 
 
 def by_band(residual: Array, degrees: NDArray[np.int64], bands: int) -> tuple[Array, Array]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,6 +14,10 @@ Array = NDArray[np.float64]
 Index = NDArray[np.int64]
 
 _ROUNDS = 8
+# Of rounds where four terms, a whole group, are at stake.
+_LONG_ROUNDS = 32
+# After the first rounds, an error this much above the budget does not come down to it.
+_HOPELESS = 1.1
 # Terms are summed four at a time.
 _GROUP = 4
 # Corners that are tried before one is taken away: those with the smallest coefficients.
@@ -45,12 +49,12 @@ class _Search:
         error = self.checked.largest(found)
         return Kept(lengths, found.reshape(*found.shape[:2], self.first, rest), error)
 
-    def sharpened(self, lengths: Index, budget: float) -> Kept:
+    def sharpened(self, lengths: Index, budget: float, rounds: int = _ROUNDS) -> Kept:
         """Fit with the importance moved to the worst sets until the budget is met or no round helps; return the best."""
         best = made = self.fit(lengths)
         importance, normal = self.importance, self.normal
-        for _ in range(_ROUNDS):
-            if best.error <= budget:
+        for done in range(rounds):
+            if best.error <= budget or (done >= _ROUNDS and best.error > _HOPELESS * budget):
                 break
             errors = self.grid.errors(made.dense.reshape(*made.dense.shape[:2], -1))
             self.importance = sharpen(self.importance, errors, self.shape)
@@ -70,7 +74,8 @@ def fewest(
     ``grid``, of ``shape``, is what is fitted; ``first`` is the size of the first axis' basis. Terms are ranked by the
     largest coefficients that drop with them; a bisection finds how many are needed, corners that the budget does not
     need are then taken away one by one, and the worst sets' importance is sharpened where that saves another. What is
-    left is filled up to a multiple of four terms. The first result is None where all terms together exceed the budget.
+    left is filled up to a multiple of four terms, unless long sharpening meets the budget with the multiple below. The first
+    result is None where all terms together exceed the budget.
     """
     search = _Search(grid, checked, shape, first)
     ranked = _ranking(search.normal.best.reshape(*search.normal.best.shape[:2], first, -1))
@@ -97,6 +102,8 @@ def fewest(
         if smaller is None or smaller.error > budget:
             break
         best = smaller
+    while (group := _a_group_less(search, ranked, best, attempt, budget)) is not None:
+        best = group
     while best.lengths.sum() % _GROUP:
         options = [attempt(lengths) for lengths in _with_a_corner(best.lengths, first)]
         if not options:
@@ -105,6 +112,26 @@ def fewest(
     if best.error > budget:
         best = search.sharpened(best.lengths, budget)
     return best, tried
+
+
+def _a_group_less(
+    search: _Search, ranked: Sequence[Index], best: Kept, attempt: Callable[[Index], Kept], budget: float
+) -> Kept | None:
+    """Return a fit within ``budget`` with the next lower multiple of four terms, if one is found.
+
+    Two staircases are sharpened for long: the one that taking corner after corner away leaves, and the ranking's.
+    """
+    target = (int(best.lengths.sum()) - 1) // _GROUP * _GROUP
+    if target < _GROUP:
+        return None
+    fewer = best
+    while fewer.lengths.sum() > target:
+        fewer = min((attempt(lengths) for lengths in _without_a_corner(fewer)), key=lambda k: k.error)
+    for lengths in (fewer.lengths, ranked[target - 1]):
+        made = search.sharpened(lengths, budget, _LONG_ROUNDS)
+        if made.error <= budget:
+            return made
+    return None
 
 
 def _ranking(dense: Array) -> list[Index]:

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import linalg
 
+from pipeline.fit import peaks
 from pipeline.reproducible import significant
 
 Array = NDArray[np.float64]
@@ -17,7 +18,7 @@ Index = NDArray[np.int64]
 # Far below any rounding step, far above what Cholesky needs.
 _RIDGE = 1e-12
 # Of an importance and of an error that a search acts on: what differs from machine to machine must not feed back.
-_IMPORTANCE_BITS = 5
+_IMPORTANCE_BITS = 4
 _ERROR_BITS = 24
 
 
@@ -26,11 +27,12 @@ class Sampled:
     """``n`` parameter sets as a table sees them, everything in units of each set's L_min.
 
     ``basis`` ``(n, terms)`` holds all products of basis functions times the table's factor, ``truth`` ``(n, channels,
-    count)`` the weights.
+    count)`` the weights. The first sets are on a grid of ``shape``, if on any.
     """
 
     basis: Array
     truth: Array
+    shape: tuple[int, ...] = ()
 
     def errors(self, coefficients: Array) -> Array:
         """Return E_mean of every set and channel, ``(n, channels)``, of coefficients ``(channels, count, terms)``."""
@@ -42,8 +44,8 @@ class Sampled:
         return np.asarray(np.sqrt(np.square(residual).sum(axis=-1)))
 
     def largest(self, coefficients: Array) -> float:
-        """Return the largest of ``errors``, rounded far above what differs from machine to machine."""
-        return float(significant(self.errors(coefficients).max(), _ERROR_BITS))
+        """Return the largest of ``errors``, between nodes too, rounded far above what differs from machine to machine."""
+        return float(significant(peaks.largest(self.errors(coefficients), self.shape), _ERROR_BITS))
 
 
 @dataclass(frozen=True)

@@ -10,8 +10,8 @@ import pandas as pd
 from pipeline import sphere
 from pipeline.report.material import Entry, Material
 
-# A five-hundredth of the tightest budget. Finer figures would be noise: of the truth, and of the machine.
-_FINEST = 1e-7
+# A hundredth of the tightest budget that is asked for. Finer figures would hang on the last bits of who computed them.
+_FINEST = 5e-7
 
 
 def frame(material: Material, entries: Sequence[Entry], *, sweep: bool) -> pd.DataFrame:

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pipeline import sphere
-from pipeline.fit.errors import Reference, by_band, e_mean
+from pipeline.fit import peaks
+from pipeline.fit.errors import Reference, by_band, e_means
 from pipeline.table.table import Table, full_weights
 
 Array = NDArray[np.float64]
@@ -68,8 +70,11 @@ def least_reconstructed(table: Table, parameters: Array, luminance_row: Array) -
     return float((luminance.min(axis=1) / luminance.max(axis=1)).min())
 
 
-def headline(table: Table, reference: Reference) -> float:
-    """Return the largest E_mean over all sets and channels under the first convention, over all the table's bands."""
+def headline(table: Table, reference: Reference, shape: Sequence[int] = ()) -> float:
+    """Return the largest E_mean over all sets and channels under the first convention, over all the table's bands.
+
+    Where the first sets are on a grid of ``shape``, peaks are looked for between its nodes.
+    """
     use = reference.first_bands(table.bands)
     residual = table.evaluate(reference.parameters).astype(np.float64) - reference.weights[..., use]
-    return e_mean(residual, reference.headline)
+    return peaks.largest(e_means(residual, reference.headline), shape)

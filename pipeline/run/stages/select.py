@@ -51,6 +51,8 @@ _SHRINK = 0.995
 _IN_HAND = 0.03
 # Of the largest coefficient of a table laid out for speed: finer ones would be the last bits of the machine that fitted it.
 _GRID_BITS = {"float32": 24, "float64": 32}
+# Of L_min where it only weighs the sets of a fit against each other; errors have a finer one.
+_WEIGHT_BITS = 6
 # Of budgets that a search makes of errors it met.
 _BUDGET_BITS = 10
 # One in so many of the sets that selection sees tells which degrees are enough.
@@ -67,13 +69,17 @@ class BudgetError(RuntimeError):
 
 @dataclass(frozen=True)
 class _Material:
-    """What every search needs: the frame, the fit grid's weights, L_min and nodes, and what errors are measured on."""
+    """What every search needs: the frame, the fit grid's weights, L_min and nodes, and what errors are checked on.
+
+    ``shape`` is that of the fit grid, ``checked_shape`` that of the grid at the start of ``reference``.
+    """
 
     frame: Frame
     sets: Array
     weights: Array
     least: Array
     shape: tuple[int, ...]
+    checked_shape: tuple[int, ...]
     degrees: tuple[int, ...]
     reference: Reference
     swept: NDArray[np.int64]
@@ -154,12 +160,13 @@ def _gather(config: Config, inputs: Inputs) -> _Material:
     mean = mean_luminance(radiance[:, :, 0], config.source.luminance_row)
     # Where any set that is checked has no positive least luminance, all have their mean.
     least = scale * grid["least_luminance"].ravel() * ("mean" not in reference.l_min)
-    least = next(iter(l_min(least, scale * mean).values()))
+    least = significant(next(iter(l_min(least, scale * mean).values())), _WEIGHT_BITS)
+    checked_shape = inputs["truth/verification"]["least_luminance"].shape
     degrees = tuple(axis.degrees[1] for axis in config.axes)
     worst = swept(config, inputs, reference.some(_SWEPT_EACH))
     errors = next(iter(worst.e_mean.values()))
     return _Material(
-        *(frame, sets, weights, least, shape, degrees, reference, np.array(worst.degrees), errors),
+        *(frame, sets, weights, least, shape, checked_shape, degrees, reference, np.array(worst.degrees), errors),
         *(partial(window, config), partial(windowed_reference, config)),
     )
 
@@ -190,7 +197,7 @@ def _cheapest(wanted_: Wanted, asked: float, material: _Material) -> tuple[Table
         if table is None:
             reached = _whole_error(wanted_, material)
             break
-        reached = headline(table, material.reference_of(wanted_.winner.bands))
+        reached = headline(table, material.reference_of(wanted_.winner.bands), material.checked_shape)
         if reached <= budget:
             return table, front
         aim = float(significant(aim * _SHRINK * budget / reached, _BUDGET_BITS))
@@ -203,7 +210,7 @@ def _cheapest(wanted_: Wanted, asked: float, material: _Material) -> tuple[Table
 def _whole_error(wanted_: Wanted, material: _Material) -> float:
     """Return the error of all terms of the largest degrees, in double precision."""
     grid, checked = _both(replace(material, degrees=tuple(material.swept.max(axis=0))), wanted_.winner.bands)
-    return float(checked.errors(metric(grid, even(grid)).best).max())
+    return checked.largest(metric(grid, even(grid)).best)
 
 
 def _within(wanted_: Wanted, size: int, material: _Material) -> tuple[Table, list[Point]]:
@@ -231,21 +238,22 @@ def _within(wanted_: Wanted, size: int, material: _Material) -> tuple[Table, lis
     return best, front
 
 
-def _sampled(material: _Material, sets: Array, weights: Array, least: Array, bands: int) -> Sampled:
+def _sampled(material: _Material, sets: Array, weights: Array, least: Array, shape: tuple[int, ...], bands: int) -> Sampled:
     frame = material.frame
     count = sphere.count(bands, mirrored=frame.mirrored)
     scale = np.asarray(factors.evaluate(frame.factor, frame.axes, sets), dtype=np.float64) / least
     basis = np.asarray(tables.products(frame.basis, frame.axes, sets, material.degrees), dtype=np.float64)
     truth = weights[..., :count] * material.windowed(bands)
-    return Sampled(basis * scale[:, np.newaxis], truth / least[:, np.newaxis, np.newaxis])
+    return Sampled(basis * scale[:, np.newaxis], truth / least[:, np.newaxis, np.newaxis], shape)
 
 
 def _both(material: _Material, bands: int) -> tuple[Sampled, Sampled]:
     """Return the fit grid and the verification sets in units of L_min."""
     reference = material.reference
     l_min = reference.headline
-    grid = _sampled(material, material.sets, material.weights, material.least, bands)
-    return grid, _sampled(material, reference.parameters, reference.weights, l_min, bands)
+    grid = _sampled(material, material.sets, material.weights, material.least, material.shape, bands)
+    shape = material.checked_shape
+    return grid, _sampled(material, reference.parameters, reference.weights, l_min, shape, bands)
 
 
 def _fast(wanted_: Wanted, aim: float, material: _Material) -> tuple[Table | None, list[Point]]:
