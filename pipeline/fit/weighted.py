@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -58,11 +59,15 @@ class Metric:
 
     gram: Array
     right: Array
-    best: Array
+
+    @cached_property
+    def best(self) -> Array:
+        """The best coefficients of all terms, solved for where they are asked for."""
+        return np.stack([linalg.solve(g, r.T, assume_a="pos").T for g, r in zip(self.gram, self.right, strict=True)])
 
     def best_of(self, kept: Index) -> Array:
         """Return the best coefficients of the terms ``kept`` alone, zeros elsewhere: ``(channels, count, terms)``."""
-        out = np.zeros_like(self.best)
+        out = np.zeros_like(self.right)
         for channel, gram in enumerate(self.gram):
             right = self.right[channel][:, kept].T
             out[channel][:, kept] = linalg.solve(gram[np.ix_(kept, kept)], right, assume_a="pos").T
@@ -74,14 +79,12 @@ def metric(sampled: Sampled, importance: Array) -> Metric:
     terms = sampled.basis.shape[1]
     grams = np.empty((importance.shape[1], terms, terms))
     right = np.empty((*sampled.truth.shape[1:], terms))
-    best = np.empty_like(right)
     for channel, gram in enumerate(grams):
         weighed = (sampled.basis * importance[:, channel, np.newaxis]).T
         gram[:] = weighed @ sampled.basis
         gram[np.diag_indices(terms)] += _RIDGE * np.trace(gram) / terms
         right[channel] = (weighed @ sampled.truth[:, channel]).T
-        best[channel] = linalg.solve(gram, right[channel].T, assume_a="pos").T
-    return Metric(grams, right, best)
+    return Metric(grams, right)
 
 
 def even(sampled: Sampled) -> Array:

@@ -12,6 +12,9 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 
+# Up to so many bands the quick recurrence loses no more than the sums do.
+_FEW_BANDS = 16
+
 
 def accumulate(total: Array, sides: Sequence[Array], azimuth: Array, factors: Array, bands: int) -> None:
     """Add weighted radiances to the SH weights ``total`` ``(groups, rows, count)`` in place.
@@ -20,12 +23,26 @@ def accumulate(total: Array, sides: Sequence[Array], azimuth: Array, factors: Ar
     unless they are mirrored and count is N(N+1)/2, at its negative; ``factors`` ``(N(N+1)/2, groups, rings)`` come from
     ``sphere.legendre``.
     """
-    turns = waves(azimuth, bands)
     if len(sides) == 1:
-        _add_orders(total, 2.0 * (sides[0] @ turns.real), factors, bands, sign=0)
+        even = cosines(azimuth, bands) if bands <= _FEW_BANDS else waves(azimuth, bands).real
+        _add_orders(total, 2.0 * (sides[0] @ even), factors, bands, sign=0)
     else:
+        turns = waves(azimuth, bands)
         _add_orders(total, (sides[0] + sides[1]) @ turns.real, factors, bands, sign=1)
         _add_orders(total, (sides[0] - sides[1]) @ turns.imag, factors, bands, sign=-1)
+
+
+def cosines(azimuth: Array, bands: int) -> Array:
+    """cos(m phi) for m < bands, ``(..., azimuths, bands)``, by Chebyshev's recurrence: rounding grows with m squared."""
+    out = np.empty((bands, *azimuth.shape))
+    out[0] = 1.0
+    if bands > 1:
+        np.cos(azimuth, out=out[1])
+    twice = 2.0 * out[1:2]
+    for m in range(2, bands):
+        np.multiply(twice[0], out[m - 1], out=out[m])
+        out[m] -= out[m - 2]
+    return np.moveaxis(out, 0, -1)
 
 
 def waves(azimuth: Array, bands: int) -> NDArray[np.complex128]:

@@ -68,6 +68,7 @@ def chunks(sets: Array, shared: int | None, size: int) -> list[Index]:
         by_length.setdefault(row.size, []).append(row)
     blocks = []
     for length, group in sorted(by_length.items()):
-        step = max(1, size // length)
+        # A row's nodes take about as much memory as a set.
+        step = max(1, size // (length + 1))
         blocks += [np.stack(group[i : i + step]) for i in range(0, len(group), step)]
     return blocks

@@ -39,18 +39,18 @@ def project(light: Light, parameters: Parameters, *, nodes: int, bands: int, mir
     theta = parameters[axis][:, 0] if axis else np.full(groups, light.hints.peak_zenith or 0.0)
     sets = np.broadcast_shapes(*(values.shape for values in parameters.values()))
     shaped = {name: values[..., np.newaxis] for name, values in parameters.items()}
-    g, psi, weight = _nodes(theta, nodes)
     least, least_direction = np.full(sets, np.inf), np.zeros((*sets, 3))
-    sides = []
-    for side in (1.0,) if mirrored else (1.0, -1.0):
-        directions = _directions(theta, g, side * psi).reshape(theta.size, 1, -1, 3)
-        radiance = light.radiance(directions, shaped)
-        keep_least(radiance @ light.luminance_row, directions, least, least_direction)
-        # (groups, rings, sets, channels, waves) from (groups, sets, rings times waves, channels).
-        parts = radiance.reshape(*sets, *weight.shape[1:], -1) * weight[:, np.newaxis, :, :, np.newaxis]
-        sides.append(parts.transpose(0, 2, 1, 4, 3).reshape(*g.shape, -1, psi.shape[2]))
     total = np.zeros((theta.size, sets[1] * len(light.channels), sphere.count(bands, mirrored=mirrored)))
-    accumulate(total, sides, psi, sphere.legendre(np.cos(g), np.sin(g), bands), bands)
+    for g, psi, weight in _pieces(theta, nodes):
+        sides = []
+        for side in (1.0,) if mirrored else (1.0, -1.0):
+            directions = _directions(theta, g, side * psi).reshape(theta.size, 1, -1, 3)
+            radiance = light.radiance(directions, shaped)
+            keep_least(radiance @ light.luminance_row, directions, least, least_direction)
+            # (groups, rings, sets, channels, waves) from (groups, sets, rings times waves, channels).
+            parts = radiance.reshape(*sets, *weight.shape[1:], -1) * weight[:, np.newaxis, :, :, np.newaxis]
+            sides.append(parts.transpose(0, 2, 1, 4, 3).reshape(*g.shape, -1, psi.shape[2]))
+        accumulate(total, sides, psi, sphere.legendre(np.cos(g), np.sin(g), bands), bands)
     _, orders = sphere.degrees_orders(bands, mirrored=mirrored)
     # The frame's x axis points up the sky, half a turn about the peak from the turned +x.
     total *= (-1.0) ** orders
@@ -64,17 +64,21 @@ def half_sky(theta: float, nodes: int) -> tuple[Array, Array]:
     They lie on one side of the peak's azimuth and stand for both: for a mirrored light, whose basis is worth a table.
     """
     peak = np.full(1, theta)
-    g, psi, weight = _nodes(peak, nodes)
-    return _directions(peak, g, psi).reshape(-1, 3), 2.0 * weight.ravel()
+    pieces = _pieces(peak, nodes)
+    directions = [_directions(peak, g, psi).reshape(-1, 3) for g, psi, _ in pieces]
+    return np.concatenate(directions), 2.0 * np.concatenate([weight.ravel() for *_, weight in pieces])
 
 
-def _nodes(theta: Array, nodes: int) -> tuple[Array, Array, Array]:
-    """Nodes g ``(groups, i)``, psi and weights ``(groups, i, j)`` over psi >= 0 of the full circles, then of the arcs."""
+def _pieces(theta: Array, nodes: int) -> list[tuple[Array, Array, Array]]:
+    """Nodes g ``(groups, i)``, psi and weights ``(groups, i, j)`` over psi >= 0 of the full circles, and of the arcs.
+
+    The circles' psi are the same ones for all, ``(1, 1, j)``.
+    """
     waves, wave_weights = _graded(max(8, round(_WAVE_SHARE * nodes)), _WAVE_POWER)
     rings, ring_weights = _graded(max(8, round(_RING_SHARE * nodes)), _RING_POWER)
     reach = (np.pi / 2 - theta)[:, np.newaxis]
     g = reach * rings
-    psi = np.broadcast_to(np.pi * waves, (*g.shape, waves.size))
+    psi = np.pi * waves[np.newaxis, np.newaxis]
     weight = (reach * ring_weights * np.sin(g))[..., np.newaxis] * (np.pi * wave_weights)
 
     x, v = _gauss(nodes)
@@ -84,11 +88,7 @@ def _nodes(theta: Array, nodes: int) -> tuple[Array, Array, Array]:
         cosine = np.where(h == 0.0, np.sin(u), np.tan(h) / np.tan(theta)[:, np.newaxis])
     psi_max = np.arccos(np.clip(cosine, -1.0, 1.0))[..., np.newaxis]
     arc = np.pi / 2 * v * theta[:, np.newaxis] * np.cos(u) * np.cos(h)
-    return (
-        np.concatenate([g, np.pi / 2 + h], axis=1),
-        np.concatenate([psi, psi_max * waves], axis=1),
-        np.concatenate([weight, arc[..., np.newaxis] * psi_max * wave_weights], axis=1),
-    )
+    return [(g, psi, weight), (np.pi / 2 + h, psi_max * waves, arc[..., np.newaxis] * psi_max * wave_weights)]
 
 
 def _graded(n: int, power: int) -> tuple[Array, Array]:
@@ -107,7 +107,7 @@ def _directions(theta: Array, g: Array, psi: Array) -> Array:
     sin_theta, cos_theta = np.sin(theta)[:, np.newaxis, np.newaxis], np.cos(theta)[:, np.newaxis, np.newaxis]
     sin_g, cos_g = np.sin(g)[..., np.newaxis], np.cos(g)[..., np.newaxis]
     up = sin_g * np.cos(psi)
-    out = np.empty((*psi.shape, 3))
+    out = np.empty((*up.shape, 3))
     out[..., 0] = sin_theta * cos_g - cos_theta * up
     out[..., 1] = -sin_g * np.sin(psi)
     # Rounding must not carry a node below the horizon.
