@@ -12,6 +12,7 @@ import click
 from pipeline import __version__
 from pipeline.cli_probe import project
 from pipeline.cli_tables import BadInputError, evaluate, export
+from pipeline.cli_verify import verify
 
 if TYPE_CHECKING:
     from pipeline.config import Config
@@ -102,6 +103,7 @@ def run(config: Path, executor: str | None, workers: int | None, store: Path, re
 main.add_command(evaluate)
 main.add_command(export)
 main.add_command(project)
+main.add_command(verify)
 
 
 @main.group()
@@ -144,9 +146,9 @@ def show(key: str, store: Path) -> None:
         click.echo(f"  @{name} = {dataset.attrs[name]}")
 
 
-@artifacts.command()
+@artifacts.command("verify")
 @_STORE
-def verify(store: Path) -> None:
+def verify_artifacts(store: Path) -> None:
     """Check every artifact against its checksum; exit 1 where one fails."""
     from pipeline.store.hdf5 import CorruptArtifactError
     from pipeline.store.store import Store

@@ -64,6 +64,11 @@ def settings(config: Config) -> dict[str, Any]:
     return config.model_dump(mode="json", exclude={"extends": True, "run": True, "export": {"targets"}})
 
 
+def whole_settings(config: Config) -> dict[str, Any]:
+    """Return ``settings`` and which files are exported: all that it takes to run the config again."""
+    return config.model_dump(mode="json", exclude={"extends": True, "run": True})
+
+
 def settings_digest(config: Config) -> str:
     """Return the SHA-256 of ``settings``, by which a header names its config."""
     return digest(settings(config))

@@ -13,7 +13,7 @@ from pipeline.config.schema import Config
 from pipeline.export import c_header, npz, shaders, vectors
 from pipeline.run.executors import Advance
 from pipeline.run.plan import Inputs, Step
-from pipeline.run.provenance import settings, settings_digest
+from pipeline.run.provenance import settings, settings_digest, whole_settings
 from pipeline.run.stages.files import to_dataset
 from pipeline.run.stages.measure import read_table
 from pipeline.store.dataset import Dataset
@@ -96,7 +96,7 @@ def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
         for language in config.export.shaders if shaders.obstacle(table) is None else ():
             text = shaders.write(table, facts, language, config.export.prefix)
             files[f"{row['path']}/skylight_sh.{language}"] = text.encode()
-    summary = {"config": settings(config), "recommended": config.export.recommended, "tables": rows}
+    summary = {"config": whole_settings(config), "recommended": config.export.recommended, "tables": rows}
     files["summary.json"] = (json.dumps(summary, indent=2) + "\n").encode()
     return to_dataset(files)
 
