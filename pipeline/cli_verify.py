@@ -1,4 +1,4 @@
-"""The command ``verify``: did my machine compute the same bytes as the release?"""
+"""The command ``verify``, which tells whether this machine computes the same bytes as a release."""
 
 from __future__ import annotations
 
@@ -13,7 +13,9 @@ from pipeline.cli_tables import BadInputError
 @click.command()
 @click.argument("result", type=click.Path(file_okay=False, path_type=Path), default=Path("reports/reference"))
 @click.option(
-    "--config", type=click.Path(path_type=Path), help="Run this config instead of the one that the result's summary.json tells."
+    "--config",
+    type=click.Path(path_type=Path),
+    help="Run this config instead of the one that the result's summary.json tells.",
 )
 @click.option(
     "--store",
@@ -35,9 +37,7 @@ def verify(result: Path, config: Path | None, store: Path | None) -> None:
     try:
         given = load(config, {}) if config else None
         chosen = Store(store) if store else None
-        found = list(
-            verification.verify(result, given, chosen, lambda text: click.echo(f"Warning: {text}", err=True))
-        )
+        found = list(verification.verify(result, given, chosen, lambda text: click.echo(f"Warning: {text}", err=True)))
     except (ConfigError, BudgetError, NotConvergedError, ValueError) as error:
         raise BadInputError(str(error)) from error
     for verdict in found:

@@ -103,7 +103,7 @@ def test_artifacts_commands(tmp_path: Path) -> None:
     code, listed, _ = invoke("artifacts", "ls", *store)
     assert code == 0
     keys = [line.split()[1] for line in listed.splitlines()]
-    assert len(keys) == 8
+    assert len(keys) == 10
     code, shown, _ = invoke("artifacts", "show", keys[-1], *store)
     assert code == 0
     assert "@provenance" in shown

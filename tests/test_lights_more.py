@@ -24,6 +24,7 @@ from pipeline.light import CieTraditional, Perez, Preetham, colour, perez, spher
 from pipeline.run import plan, progress
 from pipeline.run.runner import steps
 from pipeline.run.stages.export import facts_of
+from pipeline.run.stages.measure import read_table
 from pipeline.store.store import Store
 from pipeline.truth.fixed import zenith_gauss
 
@@ -82,9 +83,10 @@ def fitted(text: str, place: Path) -> list[dict[str, object]]:
     config = load(path)
     chosen = [step for step in steps(config) if step.stage not in {"export", "report"}]
     with threadpool_limits(1):
-        _, made = plan.execute(chosen, Store(place / "store"), {}, progress.bar, pytest.fail, wanted=("select",))
+        _, made = plan.execute(chosen, Store(place / "store"), {}, progress.bar, pytest.fail, wanted=("select", "measure"))
     names = [name.split("/")[1] for name in made["select"].variables if name.endswith("/npz")]
-    return [facts_of(config, made["select"], name) for name in names]
+    tables = [read_table(made["select"], f"tables/{name}") for name in names]
+    return [facts_of(config, table, made["measure"], name) for table, name in zip(tables, names, strict=True)]
 
 
 @pytest.mark.parametrize("sky", range(1, 16))

@@ -47,7 +47,7 @@ def test_outputs_are_the_contract(small_run: Result) -> None:
         assert {"name", "path", "bands", "dtype", "bytes", "coefficients", "e_mean", "e_max", "l_min"} <= set(row)
         assert (small_run.folder / row["path"] / "skylight_sh.h").is_file()
     record = json.loads((small_run.folder / "run.json").read_text(encoding="utf-8"))
-    assert list(record["stages"])[:5] == ["truth", "fit", "select", "export", "report"]
+    assert list(record["stages"])[:6] == ["truth", "fit", "select", "measure", "export", "report"]
     assert all({"seconds", "cached"} <= set(stage) for stage in record["stages"].values())
 
 

@@ -20,7 +20,8 @@ from pipeline.run import plan
 from pipeline.run.progress import silent
 from pipeline.run.provenance import settings
 from pipeline.run.runner import steps
-from pipeline.run.stages.export import facts_of, table_of
+from pipeline.run.stages.export import facts_of
+from pipeline.run.stages.measure import read_table
 from pipeline.store.store import Store
 from pipeline.table.table import Table
 
@@ -122,10 +123,11 @@ def _raw(config: Config, edit: Callable[[dict[str, Any]], None]) -> dict[str, An
 
 def _build(config: Config) -> tuple[float, Table, float]:
     """Return seconds to the selected table from an empty store, the table and its error."""
-    wanted = [step for step in steps(config) if step.stage in ("truth", "fit", "select")]
+    wanted = [step for step in steps(config) if step.stage in ("truth", "fit", "select", "measure")]
     with tempfile.TemporaryDirectory() as folder:
         start = time.perf_counter()
-        _, made = plan.execute(wanted, Store(Path(folder)), {}, silent, lambda _: None, wanted=("select",))
+        _, made = plan.execute(wanted, Store(Path(folder)), {}, silent, lambda _: None, wanted=("select", "measure"))
         seconds = time.perf_counter() - start
     name = config.export.recommended
-    return seconds, table_of(made["select"], name), facts_of(config, made["select"], name)["e_mean"]
+    table = read_table(made["select"], f"tables/{name}")
+    return seconds, table, facts_of(config, table, made["measure"], name)["e_mean"]

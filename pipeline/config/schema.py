@@ -70,7 +70,10 @@ class TruthSection(Section):
     random: int = Field(500, ge=0, le=100_000, description="further random sets that selection sees, 0 to 100000")
     seed: int = Field(2008, ge=0, description="seed of the random sets, 0 or more")
     held_out: int = Field(
-        2000, ge=1, le=100_000, description="sets that only the measurement of errors reads: scrambled Sobol sets, 1 to 100000"
+        2000,
+        ge=1,
+        le=100_000,
+        description="sets that only the measurement of errors reads: scrambled Sobol sets, 1 to 100000",
     )
     held_out_edge: int = Field(128, ge=1, le=10_000, description="more of them on each edge of the ranges, 1 to 10000")
     held_out_seed: int = Field(1959, ge=0, description="seed of the held-out sets, 0 or more")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import SupportsFloat
 
 import numpy as np
 from numpy.typing import NDArray
@@ -62,6 +63,11 @@ def l_min(least: Array, mean: Array) -> dict[str, Array]:
         return {"mean": significant(mean, _L_MIN_BITS)}
     rounded = significant(least, _L_MIN_BITS)
     return {"per-set": rounded, "global": np.full(least.shape, rounded.min())}
+
+
+def published(value: SupportsFloat) -> float:
+    """Return a figure as it is published, to four digits: far above what differs from machine to machine."""
+    return float(f"{float(value):.4g}")
 
 
 def e_mean(residual: Array, l_min: Array) -> float:

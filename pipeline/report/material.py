@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from pipeline import sphere
 from pipeline.fit.axes import Axis
+from pipeline.fit.errors import published
 from pipeline.light.protocol import Light
 from pipeline.report.ringing import Study
 from pipeline.table.surroundings import Surroundings
@@ -42,8 +43,8 @@ class Entry:
         return self.headline_at(self.table.bands)
 
     def headline_at(self, bands: int) -> tuple[float, float]:
-        """E_mean and E_max over the first ``bands`` bands and all channels, first convention."""
-        return float(self.e_mean[0, :, bands - 1].max()), float(self.e_max[0, :, bands - 1].max())
+        """E_mean and E_max over the first ``bands`` bands and all channels, first convention, as published."""
+        return published(self.e_mean[0, :, bands - 1].max()), published(self.e_max[0, :, bands - 1].max())
 
     @property
     def worst(self) -> Array:
@@ -69,7 +70,8 @@ class Material:
 
     ``sample`` gives a set's true weights ``(channels, count)``; ``fronts`` the Pareto front of bytes and E_mean,
     ``(points, 2)``, for each number of bands and layout; ``origins`` what the stage of that name found, if it ran;
-    ``held_out`` counts the sets that errors were measured on; ``surroundings`` are by the number of bands; ``ringing`` the study behind the picture ``gibbs``, if it is wanted.
+    ``held_out`` counts the sets that errors were measured on; ``surroundings`` are by the number of bands; ``ringing`` the
+    study behind the picture ``gibbs``, if it is wanted.
     """
 
     name: str

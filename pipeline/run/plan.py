@@ -129,5 +129,6 @@ def execute(
 
 
 def _provenance(attrs: Mapping[str, Any]) -> dict[str, Any]:
-    found: dict[str, Any] = json.loads(str(attrs["provenance"]))
+    """Return what an artifact tells of who made it; nothing where it tells nothing."""
+    found: dict[str, Any] = json.loads(str(attrs.get("provenance", "{}")))
     return found

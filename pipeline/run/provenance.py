@@ -39,7 +39,7 @@ def environment() -> dict[str, Any]:
         "machine": platform.machine(),
         "cpu_features": sorted(set(features.get("baseline", [])) | set(features.get("found", []))),
         "blas": sorted(
-            f"{Path(found['filepath']).parent.name} {found['internal_api']} {found['version']} {found.get('architecture', '')}"
+            " ".join((Path(found["filepath"]).parent.name, found["internal_api"], found["version"], found["architecture"]))
             for found in threadpool_info()
             if found["user_api"] == "blas"
         ),

@@ -77,7 +77,9 @@ def sums(files: Mapping[str, bytes]) -> str:
 
 def _computed(outcomes: Mapping[str, plan.Outcome]) -> dict[str, Any]:
     """Return who computed what: every environment once, and each artifact's place among them."""
-    texts = {name: json.dumps(outcome.provenance["environment"], sort_keys=True) for name, outcome in outcomes.items()}
+    texts = {
+        name: json.dumps(outcome.provenance.get("environment", {}), sort_keys=True) for name, outcome in outcomes.items()
+    }
     known = sorted(set(texts.values()))
     return {
         "environments": [json.loads(text) for text in known],

@@ -40,7 +40,9 @@ def released_config(folder: Path) -> Config:
     try:
         told = json.loads((folder / "summary.json").read_text(encoding="utf-8"))["config"]
     except (OSError, ValueError, KeyError, TypeError) as error:
-        raise ValueError(f"{folder} holds no released result ({error}). Give a folder with summary.json and {SUMS}.") from error
+        raise ValueError(
+            f"{folder} holds no released result ({error}). Give a folder with summary.json and {SUMS}."
+        ) from error
     return parse(_without_nulls(told), str(folder / "summary.json"), folder)
 
 
@@ -51,9 +53,7 @@ def _without_nulls(value: Any) -> Any:
     return [_without_nulls(item) for item in value] if isinstance(value, list) else value
 
 
-def verify(
-    folder: Path, config: Config | None, store: Store | None, warn: Callable[[str], None]
-) -> Iterator[Verdict]:
+def verify(folder: Path, config: Config | None, store: Store | None, warn: Callable[[str], None]) -> Iterator[Verdict]:
     """Run the config of the released result in ``folder`` again and yield a verdict for each file of its SHA256SUMS.
 
     ``config`` stands for the result's own, ``store`` for one of its own that is empty, so that all is computed. Yields
@@ -73,7 +73,9 @@ def _sums(folder: Path) -> dict[str, str]:
     try:
         lines = (folder / SUMS).read_text(encoding="utf-8").splitlines()
     except (OSError, UnicodeDecodeError) as error:
-        raise ValueError(f"{folder} holds no {SUMS} that can be read ({error}). Give the folder of a released result.") from error
+        raise ValueError(
+            f"{folder} holds no {SUMS} that can be read ({error}). Give the folder of a released result."
+        ) from error
     matches = [_LINE.fullmatch(line) for line in lines]
     if not matches or not all(matches):
         raise ValueError(f"{folder / SUMS} has a line that is no SHA-256 and a path. Take it from the release again.")
@@ -90,11 +92,15 @@ def _verdict(folder: Path, path: str, expected: str | None, fresh: bytes | None)
     if not place.resolve().is_relative_to(folder.resolve()):
         return Verdict(path, same=False, difference="its path leads out of the folder")
     if not place.is_file():
-        return Verdict(path, same=same, difference="" if same else "another sum, and the released file is not there to compare")
+        return Verdict(
+            path, same=same, difference="" if same else "another sum, and the released file is not there to compare"
+        )
     released = place.read_bytes()
     if sha256(released).hexdigest() != expected:
         told = "the released file is not the one of its sum"
-        return Verdict(path, same=False, difference=told + ("" if same else f", and the fresh one {differences(released, fresh)}"))
+        return Verdict(
+            path, same=False, difference=told + ("" if same else f", and the fresh one {differences(released, fresh)}")
+        )
     return Verdict(path, same=same, difference="" if same else differences(released, fresh))
 
 
@@ -113,9 +119,13 @@ def differences(released: bytes, fresh: bytes) -> str:
     if any(_NUMBER.sub("#", a) != _NUMBER.sub("#", b) for _, a, b in changed):
         i, a, b = next((i, a, b) for i, a, b in changed if _NUMBER.sub("#", a) != _NUMBER.sub("#", b))
         return f"differs in words: line {i} was {a.strip()[:60]!r}, now {b.strip()[:60]!r}"
-    numbers = [(float(x), float(y)) for _, a, b in changed for x, y in zip(_NUMBER.findall(a), _NUMBER.findall(b), strict=True)]
+    numbers = [
+        (float(x), float(y)) for _, a, b in changed for x, y in zip(_NUMBER.findall(a), _NUMBER.findall(b), strict=True)
+    ]
     unequal = [(x, y) for x, y in numbers if x != y]
-    return f"differs in {len(unequal)} numbers of {len(changed)} lines, the first at line {changed[0][0]}: {_largest(unequal)}"
+    return (
+        f"differs in {len(unequal)} numbers of {len(changed)} lines, the first at line {changed[0][0]}: {_largest(unequal)}"
+    )
 
 
 def _arrays(released: bytes, fresh: bytes) -> str:

@@ -47,7 +47,7 @@ class Store:
         return hdf5.read(self.path(stage, key))
 
     def attributes(self, stage: str, key: str) -> dict[str, Any]:
-        """Return an artifact's attributes alone, unchecked. Raises CorruptArtifactError where it cannot be read."""
+        """Return an artifact's attributes alone, unchecked; none where it cannot be read."""
         return hdf5.attributes(self.path(stage, key))
 
     def put(self, stage: str, key: str, dataset: Dataset) -> None:

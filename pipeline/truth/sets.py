@@ -41,7 +41,7 @@ def held_out(ranges: Sequence[tuple[float, float]], count: int, edge: int, seed:
     parts.append(np.array(list(itertools.product(*ends))))
     unit = np.concatenate(parts)
     # An end of the range is met to the last bit.
-    return np.where(unit == 1.0, high, low + (high - low) * unit)
+    return np.asarray(np.where(unit == 1.0, high, low + (high - low) * unit))
 
 
 def _sobol(axes: int, count: int, seed: int) -> Array:

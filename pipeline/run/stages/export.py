@@ -11,6 +11,7 @@ from pipeline import __version__
 from pipeline.config.names import wanted
 from pipeline.config.schema import Config
 from pipeline.export import c_header, npz, shaders, vectors
+from pipeline.fit.errors import published
 from pipeline.run.executors import Advance
 from pipeline.run.plan import Inputs, Step
 from pipeline.run.provenance import settings, settings_digest, whole_settings
@@ -50,11 +51,11 @@ def facts_of(config: Config, table: Table, measured: Dataset, name: str) -> dict
         "layout": table.body.kind,
         "bytes": table.bytes,
         "coefficients": table.coefficients,
-        "e_mean": _published(measured[f"tables/{name}/e_mean"][0, :, -1].max()),
-        "e_max": _published(measured[f"tables/{name}/e_max"][0, :, -1].max()),
+        "e_mean": published(measured[f"tables/{name}/e_mean"][0, :, -1].max()),
+        "e_max": published(measured[f"tables/{name}/e_max"][0, :, -1].max()),
         "l_min": str(measured.attrs["conventions"]).split(",")[0],
         "quantity": table.quantity,
-        "least": _published(measured[f"tables/{name}/least"]),
+        "least": published(measured[f"tables/{name}/least"]),
     }
 
 
@@ -99,8 +100,3 @@ def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
     summary = {"config": whole_settings(config), "recommended": config.export.recommended, "tables": rows}
     files["summary.json"] = (json.dumps(summary, indent=2) + "\n").encode()
     return to_dataset(files)
-
-
-def _published(value: Any) -> float:
-    """Return a figure as it is published: far above what differs from machine to machine."""
-    return float(f"{float(value):.4g}")

@@ -53,7 +53,9 @@ def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
     total = 1 + len(config.fit.references) + len(asked)
     advance(0, total)
     found = _swept(config, inputs, reference)
-    sources = [(f"references/{r.name}", "fit") for r in config.fit.references] + [(f"tables/{t.name}", "select") for t in asked]
+    sources = [(f"references/{r.name}", "fit") for r in config.fit.references] + [
+        (f"tables/{t.name}", "select") for t in asked
+    ]
     for done, (name, source) in enumerate(sources, start=1):
         advance(done, total)
         table = read_table(inputs[source], name)

@@ -18,8 +18,8 @@ from pipeline.run.provenance import drawing, settings
 from pipeline.run.stages import origins
 from pipeline.run.stages.axes import axes_of, variables
 from pipeline.run.stages.files import to_dataset
-from pipeline.run.stages.measure import read_table
 from pipeline.run.stages.frame import surrounded, surroundings_of
+from pipeline.run.stages.measure import read_table
 from pipeline.run.stages.scene import folded
 from pipeline.store.dataset import Dataset
 from pipeline.truth import sampling

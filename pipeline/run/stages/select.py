@@ -13,7 +13,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pipeline import sphere
-from pipeline.reproducible import significant, to_grid
 from pipeline.config.names import Wanted, wanted
 from pipeline.config.schema import Config
 from pipeline.export import npz
@@ -21,6 +20,7 @@ from pipeline.fit.errors import Reference, l_min, mean_luminance
 from pipeline.fit.fewest import fewest
 from pipeline.fit.smallest import smallest
 from pipeline.fit.weighted import Sampled, even, metric
+from pipeline.reproducible import significant, to_grid
 from pipeline.run.executors import Advance, map_tasks
 from pipeline.run.plan import Inputs, Step
 from pipeline.run.stages.axes import fit_nodes, variables
@@ -143,7 +143,14 @@ def _call(job: Callable[[], list[Result]]) -> list[Result]:
 def _searched(group: Sequence[Wanted], material: _Material) -> list[Result]:
     """Search the tables of one budget or size, each for itself."""
     return [
-        (table, *(_cheapest(table, table.budget or 0.0, material) if table.size is None else _within(table, table.size, material)))
+        (
+            table,
+            *(
+                _cheapest(table, table.budget or 0.0, material)
+                if table.size is None
+                else _within(table, table.size, material)
+            ),
+        )
         for table in group
     ]
 
@@ -203,7 +210,8 @@ def _cheapest(wanted_: Wanted, asked: float, material: _Material) -> tuple[Table
         aim = float(significant(aim * _SHRINK * budget / reached, _BUDGET_BITS))
     raise BudgetError(
         f"No table of {wanted_.winner.bands} bands meets winners.budgets = {asked:g}: {wanted_.name} reaches "
-        f"{reached:.3g} with all degrees, and {_IN_HAND:.0%} of a budget are kept in hand. Raise the budget, or the largest degrees of the axes."
+        f"{reached:.3g} with all degrees, and {_IN_HAND:.0%} of a budget are kept in hand. Raise the budget, or the "
+        "largest degrees of the axes."
     )
 
 

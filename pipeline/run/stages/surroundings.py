@@ -21,7 +21,15 @@ from pipeline.table.surroundings import MOST_BANDS, PARTS, build, mask_bands
 
 Array = NDArray[np.float64]
 
-_CODE = ("reproducible.py", "light", "sphere", "probe", "table/surroundings.py", "config/surroundings.py", "run/stages/surroundings.py")
+_CODE = (
+    "reproducible.py",
+    "light",
+    "sphere",
+    "probe",
+    "table/surroundings.py",
+    "config/surroundings.py",
+    "run/stages/surroundings.py",
+)
 
 
 def steps(config: Config) -> list[Step]:

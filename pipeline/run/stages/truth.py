@@ -30,7 +30,16 @@ from pipeline.truth.samples import Samples
 Array = NDArray[np.float64]
 NodesOf = Callable[[Config, tuple[Axis, ...]], list[Array]]
 
-CODE = ("reproducible.py", "light", "sphere", "truth", "fit/axes.py", "fit/maps.py", "run/stages/truth.py", "run/stages/axes.py")
+CODE = (
+    "reproducible.py",
+    "light",
+    "sphere",
+    "truth",
+    "fit/axes.py",
+    "fit/maps.py",
+    "run/stages/truth.py",
+    "run/stages/axes.py",
+)
 _SETS_PER_TASK = 64
 
 
@@ -108,8 +117,10 @@ def _make_random(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
 
 def _make_held_out(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
     truth = config.truth
-    ranges = [axis.range for axis in config.axes]
-    sets = parameter_sets.held_out(ranges, truth.held_out, truth.held_out_edge, truth.held_out_seed)
+    # The sets do not hang on the order in which a config names its axes.
+    order = np.argsort([axis.name for axis in config.axes])
+    ranges = [config.axes[i].range for i in order]
+    sets = parameter_sets.held_out(ranges, truth.held_out, truth.held_out_edge, truth.held_out_seed)[:, np.argsort(order)]
     return _make_list(config, sets, "held-out", inputs, advance)
 
 
