@@ -1,17 +1,15 @@
-"""The released result: tracked files that a fresh run must reproduce, within stated tolerances across machines."""
+"""The released result: tracked files that a fresh run must reproduce, bit for bit, on any machine."""
 
 from __future__ import annotations
 
-import json
+import hashlib
 from pathlib import Path
 
-import numpy as np
 import pytest
 from conftest import ROOT, run_quietly
 
 from pipeline import runtime
 from pipeline.config import load
-from pipeline.light.colour import luminance_row
 from pipeline.run.runner import Result
 
 REFERENCE = ROOT / "reports" / "reference"
@@ -22,22 +20,16 @@ def fresh(tmp_path_factory: pytest.TempPathFactory) -> Result:
     return run_quietly(load(ROOT / "configs" / "preetham.toml"), tmp_path_factory.mktemp("fresh"))
 
 
-def test_a_fresh_run_reproduces_the_reference(fresh: Result) -> None:
-    summary = json.loads((REFERENCE / "summary.json").read_text(encoding="utf-8"))
-    assert summary["config"] == fresh.summary["config"], "run `make reference` after a change of configs/preetham.toml"
-    assert [row["name"] for row in summary["tables"]] == [row["name"] for row in fresh.summary["tables"]]
-    rng = np.random.default_rng(12)
-    suns = rng.uniform([0, -4, 2.5], [np.pi / 2, 4, 6], size=(300, 3)).T
-    for old, new in zip(summary["tables"], fresh.summary["tables"], strict=True):
-        # Another CPU's last bits can tip a coefficient across a budget: sizes and errors may move a little.
-        assert new["bytes"] == pytest.approx(old["bytes"], rel=0.01)
-        assert new["e_mean"] == pytest.approx(old["e_mean"], rel=0.05)
-        one = runtime.load(REFERENCE / old["path"] / "skylight_sh.npz").weights(*suns)
-        other = runtime.load(fresh.folder / new["path"] / "skylight_sh.npz").weights(*suns)
-        # Both lie within their error of the truth, relative to the least luminance, which is below the sky's mean.
-        mean = one[..., 0] @ luminance_row("srgb") / np.sqrt(np.pi)
-        bound = 1.1 * (old["e_mean"] + new["e_mean"]) * mean
-        assert np.all(np.linalg.norm(one - other, axis=-1).max(axis=-1) < bound)
+def test_a_fresh_run_has_the_released_bytes(fresh: Result) -> None:
+    released, found = ((folder / "SHA256SUMS").read_text(encoding="utf-8") for folder in (REFERENCE, fresh.folder))
+    assert found == released, "run `make reference` after a change of the default config or of what it computes"
+    lines = [line.split("  ", 1) for line in released.splitlines()]
+    files = [p for p in REFERENCE.rglob("*") if p.is_file() and (p.parent != REFERENCE or p.suffix in (".csv", ".json"))]
+    summed = {path for _, path in lines}
+    assert {"errors.csv", "summary.json", "export/skylight_sh.h", "export/skylight_sh.npz"} <= summed
+    assert {p.relative_to(REFERENCE).as_posix() for p in files if "export" in p.parts} <= summed
+    for expected, path in lines:
+        assert hashlib.sha256((REFERENCE / path).read_bytes()).hexdigest() == expected, path
 
 
 def test_every_winner_keeps_its_budget(fresh: Result) -> None:
@@ -46,15 +38,23 @@ def test_every_winner_keeps_its_budget(fresh: Result) -> None:
         assert budget is None or row["e_mean"] <= float(str(budget))
 
 
+# Bytes before budgets kept 3 % in hand for sets that selection does not see: fast tables may be 1 % larger, packed ones 3 %.
+BEFORE = {
+    "7-bands-1.5pct": (8643, 1635),
+    "7-bands-0.1pct": (15685, 3241),
+    "7-bands-0.005pct": (24134, 6171),
+    "4-bands-1.5pct": (3265, 694),
+    "4-bands-0.1pct": (5314, 1255),
+    "4-bands-0.005pct": (7877, 2247),
+}
+
+
 def test_sizes_and_errors_stay_within_what_was_promised(fresh: Result) -> None:
     tables = {row["name"]: row for row in fresh.summary["tables"]}
-    limits = {7: {"1.5": 2970, "0.1": 5734, "0.005": 10240}, 4: {"1.5": 1024, "0.1": 1945, "0.005": 3584}}
-    for bands, by_budget in limits.items():
-        for budget, limit in by_budget.items():
-            small, fast = tables[f"{bands}-bands-{budget}pct-packed"], tables[f"{bands}-bands-{budget}pct"]
-            assert small["bytes"] <= limit
-            assert fast["e_mean"] <= 1.01 * small["e_mean"]
-    assert tables["7-bands-degrees-13-7"]["e_mean"] <= 0.00008
+    for name, (fast, small) in BEFORE.items():
+        assert tables[name]["bytes"] <= 1.01 * fast
+        assert tables[f"{name}-packed"]["bytes"] <= 1.03 * small
+    assert tables["7-bands-degrees-13-7"]["e_mean"] <= 0.000024
     assert tables["7-bands-degrees-13-7"]["dtype"] == "float32"
 
 
