@@ -3,7 +3,7 @@ CONFIG ?= configs/preetham.toml
 PYTHON ?= python3
 RUN := .venv/bin/python -m pipeline
 
-.PHONY: help fit test conformance bench stability fuzz lint reference clean
+.PHONY: help fit test conformance bench stability fuzz verify machines noise lint reference clean
 
 help: ## List the targets
 	@grep -E '^[a-z]+:.*## ' Makefile | sed -E 's/^([a-z]+):.*## /\1: /' | column -t -s ':' || true
@@ -26,6 +26,15 @@ stability: .venv/dev.stamp ## Stress the numerics
 fuzz: .venv/run.stamp ## Call headers with 10^7 inputs of any bits each (twenty minutes; needs gcc and clang)
 	@.venv/bin/python -m pipeline.stability.fuzz 1e7
 
+verify: .venv/run.stamp ## Run the released result's config again and compare every byte
+	@$(RUN) verify reports/reference
+
+machines: .venv/run.stamp ## Run CONFIG under many kernels, threads and workers, and compare every byte (ten minutes)
+	@.ci/machines $(CONFIG)
+
+noise: .venv/run.stamp ## Run CONFIG on truths with noise, 30 seeds, and compare every byte (ten minutes)
+	@.venv/bin/python -m pipeline.stability.same_bytes $(CONFIG)
+
 lint: .venv/dev.stamp ## Check style and types
 	@.venv/bin/ruff check . && .venv/bin/ruff format --check . && .venv/bin/mypy
 
@@ -33,7 +42,7 @@ reference: .venv/dev.stamp ## Release the default config's result, and a picture
 	@$(RUN) run configs/preetham.toml
 	@$(RUN) run configs/valley.toml >/dev/null
 	@rm -rf reports/reference && mkdir reports/reference
-	@cd reports/preetham && cp -r export figures errors.csv summary.json index.html ../reference/
+	@cd reports/preetham && cp -r export figures errors.csv summary.json SHA256SUMS index.html ../reference/
 	@cp reports/valley/figures/surroundings.png reports/reference/valley.png
 
 clean: ## Delete the environment, the store and all runs but the reference
