@@ -82,7 +82,7 @@ def test_the_overcast_sky_is_moon_and_spencers() -> None:
 
 @pytest.mark.parametrize("theta", [0.0, 0.7, 1.5])
 def test_the_named_skies_are_their_standards(theta: float) -> None:
-    """Kittler's of CIE 22 (1973), Pierpoint's of IES RP-21 (1984), and Nakamura's by Radiance's skybright.cal (``intersky``).
+    """Kittler's of CIE 22 (1973), Pierpoint's of IES RP-21 (1984), Nakamura's by Radiance's skybright.cal (``intersky``).
 
     0.274 and 0.55067 are the standards' own printed values of 1 - exp(-0.32) and 1 - exp(-0.80).
     """

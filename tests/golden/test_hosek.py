@@ -56,8 +56,8 @@ def test_constants_by_other_hands() -> None:
     ybar = colour_science.MSDS_CMFS["CIE 1931 2 Degree Standard Observer"]
     total = sum(float(ybar[float(nm)][1]) for nm in range(360, 831))
     mitsuba.set_variant("scalar_rgb")
-    assert 1 / mitsuba.MI_CIE_Y_NORMALIZATION == pytest.approx(total, rel=1.1e-3)
-    assert colour_science.constants.CONSTANT_K_M == pytest.approx(PEAK, rel=1e-5)
+    assert pytest.approx(total, rel=1.1e-3) == 1 / mitsuba.MI_CIE_Y_NORMALIZATION
+    assert pytest.approx(PEAK, rel=1e-5) == colour_science.constants.CONSTANT_K_M
 
 
 def test_a_clear_zenith_is_as_bright_as_measured() -> None:

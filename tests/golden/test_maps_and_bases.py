@@ -31,8 +31,8 @@ def root(x: Number) -> Number:
 
 # name, low, high, point; the README's definitions: scaled, log of the distance to the point, its reciprocal, its cube root.
 CASES = [
-    ("identity", 0.0, math.pi / 2, 0.0, lambda p: lambda v: v),
-    ("identity", 2.5, 6.0, 0.0, lambda p: lambda v: v),
+    ("identity", 0.0, math.pi / 2, 0.0, lambda _: lambda v: v),
+    ("identity", 2.5, 6.0, 0.0, lambda _: lambda v: v),
     ("log", 2.5, 6.0, 0.5, lambda p: lambda v: mpmath.log(v - p)),
     ("log", -1.0, 2.0, -2.5, lambda p: lambda v: mpmath.log(v - p)),
     ("log", 1.0, 2.0, 2.7, lambda p: lambda v: mpmath.log(p - v)),

@@ -94,7 +94,7 @@ def rendered(weights: Array, height: int) -> Array:
             flat = np.sqrt(1 - z * z)[:, np.newaxis]
             where = np.stack(np.broadcast_arrays(flat * np.cos(phi), flat * np.sin(phi), z[:, np.newaxis]), axis=-1)
             area = np.outer(share, turn)
-            bands = int(math.isqrt(weights.size))
+            bands = math.isqrt(weights.size)
             out[row, column] = (basis(where.reshape(-1, 3), bands) @ weights) @ area.ravel() / area.sum()
     return out
 

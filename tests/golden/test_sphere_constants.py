@@ -55,7 +55,7 @@ def test_legendre_factors_are_scipys() -> None:
 
 
 def test_the_cosine_lobe() -> None:
-    """Ramamoorthi and Hanrahan 2001, eq. 8, and its printed values in section 2: 3.1416, 2.0944, 0.7854, 0, -0.1309, 0, 0.0491."""
+    """Ramamoorthi and Hanrahan 2001, eq. 8, whose printed values are 3.1416, 2.0944, 0.7854, 0, -0.1309, 0, 0.0491."""
     exact = [Fraction(1), Fraction(2, 3), Fraction(1, 4), 0, Fraction(-1, 24), 0, Fraction(1, 64), 0, Fraction(-1, 128)]
     assert sphere.clamped_cosine(9) == pytest.approx([math.pi * float(v) for v in exact], rel=1e-15, abs=1e-16)
     assert sphere.clamped_cosine(30) == pytest.approx(lobe(30), abs=1e-13)
