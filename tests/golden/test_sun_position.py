@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from datetime import UTC, datetime, timedelta
 
@@ -67,4 +68,4 @@ def test_moments_are_even_in_real_time() -> None:
     times = list(sun.moments(datetime(2026, 10, 25, tzinfo=UTC).date(), "Europe/Vienna", 60))
     assert len(times) == 25
     utc = [t.astimezone(UTC) for t in times]
-    assert {b - a for a, b in zip(utc, utc[1:], strict=False)} == {timedelta(hours=1)}
+    assert {b - a for a, b in itertools.pairwise(utc)} == {timedelta(hours=1)}
