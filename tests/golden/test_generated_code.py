@@ -1,4 +1,4 @@
-"""Generated C and GLSL against an evaluation of its own: values, complex-step derivatives, ground, window, irradiance."""
+"""Generated C, GLSL and HLSL against an evaluation of its own: values, complex-step slopes, ground, window, irradiance."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ import re
 import subprocess
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -15,7 +16,7 @@ from numpy.typing import NDArray
 
 from golden.oracles import basis, degrees, hemisphere, lobe, orders, preetham_shape, sinc, upper
 from pipeline import runtime
-from pipeline.export import c_header, shaders
+from pipeline.export import c_header, paper_literal, shaders
 from pipeline.export.c_header import Facts
 from pipeline.fit.axes import Axis
 from pipeline.light import Perez, Preetham
@@ -258,7 +259,59 @@ def test_c_values_gradient_ground_and_window(printed: dict[str, Array], name: st
     assert np.abs(window - ground * eq5).max() < 1e-6 * np.abs(lit).max()
 
 
-# GLSL, whose few types a page of C++ has: what runs on a GPU, run on a CPU.
+def test_twilight_and_the_folded_window_in_c(tmp_path: Path) -> None:
+    """A sun 0 to 12 degrees below the horizon, and fewer bands of a table with eq. 5's window in its weights."""
+    axis = Axis("sun_zenith", 0.0, math.pi / 2, "rad")
+    dense = np.random.default_rng(71).normal(size=(1, 10, 4))
+    frame = Frame((axis,), ("luminance",), True, "chebyshev", None)
+    lengths, dark = np.array(4), math.pi / 2
+    sunk = replace(fast(frame, dense, lengths, 4, "float64"), twilight=True)
+    folded = replace(fast(frame, dense, lengths, 4, "float64"), windowed=True)
+    (tmp_path / "sunk.h").write_text(c_header.write(sunk, FACTS, "sunk"), encoding="utf-8")
+    (tmp_path / "folded.h").write_text(c_header.write(folded, FACTS, "folded"), encoding="utf-8")
+    shares = [0.0, 0.2, 0.6, 1.0]
+    calls = [f"sunk_weights({dark + x * math.radians(12):.9g}f, 0.0f, w); show();" for x in shares]
+    calls.append("folded_weights_bands(0.5f, 0.0f, 3, w); show();")
+    text = f"""#include <stdio.h>\n#include "sunk.h"\n#include "folded.h"\nstatic float w[1][16];
+        static void show(void) {{ int i; for (i = 0; i < 16; ++i) printf("%.9g\\n", (double)w[0][i]); }}
+        int main(void) {{ {" ".join(calls)} return 0; }}"""
+    (tmp_path / "t.c").write_text(text, encoding="utf-8")
+    subprocess.run(["cc", "-std=c99", str(tmp_path / "t.c"), "-o", str(tmp_path / "t"), "-lm"], check=True)
+    out = subprocess.run([str(tmp_path / "t")], capture_output=True, text=True, check=True).stdout
+    *night, cut = np.array(out.split(), dtype=float).reshape(-1, 16)
+    made = Made(sunk, dense, lambda _: 1.0 + 0j)
+    at_sunset = made.weights([dark], 0.0)[0]
+    for x, got in zip(shares, night, strict=True):
+        assert got == pytest.approx(at_sunset * (1 - x) ** 10 * (1 + 10 * x), abs=2e-6 * np.abs(at_sunset).max())
+        told = runtime.Runtime(sunk).weights(dark + x * math.radians(12), 0.0)[0]
+        assert told == pytest.approx(at_sunset * (1 - x) ** 10 * (1 + 10 * x), abs=1e-12 * np.abs(at_sunset).max())
+    l, m = degrees(4), orders(4)
+    # The weights hold sinc(pi l / 4); those of three bands shall hold sinc(pi l / 3).
+    changed = np.where(m == 0, sinc(math.pi * l / 3) / sinc(math.pi * l / 4), 1.0)
+    expected = np.where(l < 3, made.weights([0.5], 0.0)[0] * changed, 0.0)
+    assert cut == pytest.approx(expected, abs=1e-6 * np.abs(expected).max())
+    told = runtime.Runtime(folded).weights(0.5, 0.0, bands=3)[0]
+    assert told == pytest.approx(expected[:9], abs=1e-12 * np.abs(expected).max())
+
+
+def test_the_paper_written_out_is_the_paper(tmp_path: Path) -> None:
+    """Eqs. 1 and 4 in double precision: sums of theta^i tau^j, and orders m and -m turned into each other."""
+    rng = np.random.default_rng(72)
+    numbers = rng.normal(size=(3, 9, 4, 3))
+    (tmp_path / "p.h").write_text(paper_literal.write(numbers, ("theta", "tau"), ("r", "g", "b"), "p"), encoding="utf-8")
+    text = """#include <stdio.h>\n#include "p.h"
+        int main(void) { static float w[3][9]; int i; p_weights(0.75f, 1.25f, 2.5f, w);
+        for (i = 0; i < 27; ++i) printf("%.9g\\n", (double)w[i / 9][i % 9]); return 0; }"""
+    (tmp_path / "p.c").write_text(text, encoding="utf-8")
+    subprocess.run(["cc", "-std=c99", str(tmp_path / "p.c"), "-o", str(tmp_path / "p"), "-lm"], check=True)
+    out = subprocess.run([str(tmp_path / "p")], capture_output=True, text=True, check=True).stdout
+    flat = np.einsum("cwij,i,j->cw", numbers, 0.75 ** np.arange(4), 2.5 ** np.arange(3))
+    l, m = degrees(3), orders(3)
+    expected = flat * np.cos(m * 1.25) - flat[:, l * (l + 1) - m] * np.sin(m * 1.25)
+    assert np.array(out.split(), dtype=float).reshape(3, 9) == pytest.approx(expected, rel=1e-6, abs=1e-6)
+
+
+# GLSL and HLSL, whose few types a page of C++ has: what runs on a GPU, run on a CPU.
 PRELUDE = """
 #include <cmath>
 #include <cstdio>
@@ -278,9 +331,10 @@ static inline vec4 &operator+=(vec4 &a, vec4 b) { a = vec4(a.x + b.x, a.y + b.y,
 static inline float clamp(float v, float low, float high) { return v < low ? low : v > high ? high : v; }
 static inline float max(float a, float b) { return a > b ? a : b; }
 static inline float min(float a, float b) { return a < b ? a : b; }
+typedef vec2 float2; typedef vec3 float3; typedef vec4 float4;
 using std::abs; using std::exp; using std::floor; using std::log; using std::pow; using std::sin; using std::cos;
 """
-GLSL = {
+SHADED = {
     "preetham": replace(MADE["preetham"], table=MADE["single"].table),
     "pole": make(
         TWO, (4, 3), 5, Reciprocal(DENOMINATOR.astype(np.float32)), over_polynomial(TWO, DENOMINATOR), dtype="float32"
@@ -291,39 +345,47 @@ GLSL = {
 LOOKS = upper(8, seed=51) * [1, 1, -1] ** np.arange(8)[:, np.newaxis]
 
 
+WAVES = np.linspace(-20.0, 20.0, 161)
+
+
 @pytest.fixture(scope="module")
 def shaded(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Array]:
-    folder, parts, body, sizes = tmp_path_factory.mktemp("glsl"), [], [], {}
-    for name, made in GLSL.items():
-        prefix = f"{name}sh"
-        text = shaders.write(made.table, FACTS, "glsl", prefix)
-        # Arrays are built by their type's name in GLSL, and by braces in C++.
+    """What the shaders' functions return, by table and language; ``wave`` the cosines and sines that they turn by."""
+    folder, parts, body, sizes = tmp_path_factory.mktemp("shaders"), [], [], {}
+    for (name, made), language in itertools.product(SHADED.items(), ("glsl", "hlsl")):
+        prefix, kept = f"{name}{language}", f"{name}_{language}_w"
+        text = shaders.write(made.table, FACTS, language, prefix)
+        # GLSL builds arrays by their type's name, C++ and HLSL by braces.
         parts.append(re.sub(r"= \w+\[\d+\]\((.*?)\n\);", r"= {\1\n};", text, flags=re.DOTALL))
         count = made.table.bands**2
-        body.append(f"vec3 {name}_w[{count}];")
+        body.append(f"static vec3 {kept}[{count}];")
         for values, azimuth in inputs(made):
             first, *rest = (f"{v!r}f" for v in values)
             given = ", ".join([first, f"{azimuth!r}f", *rest])
-            body += [f"{prefix}_weights({given}, {name}_w);", f"for (int i = 0; i < {count}; ++i) show({name}_w[i]);"]
+            body += [f"{prefix}_weights({given}, {kept});", f"for (int i = 0; i < {count}; ++i) show({kept}[i]);"]
         for look, call in itertools.product(LOOKS.tolist(), ("radiance", "irradiance")):
             place = ", ".join(f"{v!r}f" for v in look)
-            body.append(f"show({prefix}_{call}({name}_w, vec3({place})));")
-        sizes[name] = 3 * (len(SHARES) * count + 2 * len(LOOKS))
+            body.append(f"show({prefix}_{call}({kept}, vec3({place})));")
+        sizes[f"{name}.{language}"] = 3 * (len(SHARES) * count + 2 * len(LOOKS))
+    waves = "{ vec2 v = preethamglsl_wave(a), w = preethamhlsl_wave(a); show(vec3(v.x, v.y, 0)); show(vec3(w.x, w.y, 0)); }"
+    body.append(f"for (int i = 0; i < {WAVES.size}; ++i) {{ float a = -20.0f + 0.25f * (float)i; {waves} }}")
     show = 'static void show(vec3 v) { std::printf("%.9g %.9g %.9g\\n", v.x, v.y, v.z); }'
     text = "\n".join([PRELUDE, *parts, show, "int main() {", *body, "return 0; }"])
     (folder / "all.cc").write_text(text, encoding="utf-8")
-    command = ["g++", "-std=c++11", "-O1", "-ffp-contract=off", str(folder / "all.cc"), "-o", str(folder / "all")]
+    command = ["g++", "-std=c++11", "-O0", "-ffp-contract=off", str(folder / "all.cc"), "-o", str(folder / "all")]
     subprocess.run(command, check=True)
     done = subprocess.run([str(folder / "all")], capture_output=True, text=True, check=True).stdout
     found, numbers = {}, np.array(done.split(), dtype=float)
     for name, size in sizes.items():
         found[name], numbers = numbers[:size].reshape(-1, 3), numbers[size:]
+    found["wave"] = numbers.reshape(WAVES.size, 2, 3)
     return found
 
 
-@pytest.mark.parametrize("name", GLSL)
-def test_glsl_weights_radiance_and_irradiance(shaded: dict[str, Array], name: str) -> None:
-    made, rows = GLSL[name], shaded[name]
+@pytest.mark.parametrize("language", ["glsl", "hlsl"])
+@pytest.mark.parametrize("name", SHADED)
+def test_shaders_weights_radiance_and_irradiance(shaded: dict[str, Array], name: str, language: str) -> None:
+    made, rows = SHADED[name], shaded[f"{name}.{language}"]
     bands = made.table.bands
     for values, azimuth in inputs(made):
         got, rows = rows[: bands**2].T, rows[bands**2 :]
@@ -334,3 +396,9 @@ def test_glsl_weights_radiance_and_irradiance(shaded: dict[str, Array], name: st
     scale = np.abs(got).sum(axis=1).max()
     assert np.abs(seen[:, 0] - table @ got.T).max() < 2e-6 * scale
     assert np.abs(seen[:, 1] - (table * lobe(bands)[degrees(bands)]) @ got.T).max() < 4e-6 * scale
+
+
+def test_shaders_turn_by_cosine_and_sine(shaded: dict[str, Array]) -> None:
+    exact = np.stack([np.cos(WAVES), np.sin(WAVES)], axis=-1)
+    for language in range(2):
+        assert np.abs(shaded["wave"][:, language, :2] - exact).max() < 4e-7

@@ -87,6 +87,21 @@ def test_ground_and_sun(theta: float, tau: float, shines: bool) -> None:
         assert np.abs(got - expected[:, M >= 0]).max() < 3e-6 * np.abs(expected).max()
 
 
+@pytest.mark.parametrize("sunk", [0.0, 0.1, 0.2665, 1.0])
+def test_a_sun_that_is_setting_lights_the_ground_by_what_is_up(sunk: float) -> None:
+    """A black sky and a disc ``sunk`` degrees above the horizon: its weights whole, its irradiance that of the part above."""
+    theta, tau = math.pi / 2 - math.radians(sunk), 2.5
+    where, solid = disc(theta)
+    colour = sun.radiance(theta, tau)
+    fallen = colour * float(np.maximum(where[:, 2], 0) @ solid)
+    whole = np.multiply.outer(colour, solid @ basis(where, BANDS))
+    ground = project(np.broadcast_to(np.array([0.1, 0.25, 0.6]) * fallen / math.pi, (len(BELOW), 3)), BELOW, SOLID)
+    got = fold("ground = [0.1, 0.25, 0.6]\nsun_disc = true", np.zeros((3, BANDS**2)), np.array([theta, tau]))
+    alone = fold("sun_disc = true", np.zeros((3, BANDS**2)), np.array([theta, tau]))
+    assert alone == pytest.approx(whole[:, M >= 0], abs=1e-6 * np.abs(whole).max())
+    assert np.abs(got - alone - ground[:, M >= 0]).max() < 2e-3 * np.abs(ground).max()
+
+
 def test_the_mirror_is_an_image() -> None:
     values = sky(0.6, 3.0)
     black = project(values, ABOVE, SOLID)
