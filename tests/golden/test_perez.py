@@ -86,19 +86,31 @@ def test_air_mass_and_constants_as_gendaylit_prints_them() -> None:
         assert 0.3 * SOLAR_CONSTANT * efficacy / luminance == pytest.approx(printed, rel=2e-3)
 
 
-def test_gendaylits_limits_of_brightness() -> None:
-    """0.01 and 0.6 are gendaylit's (minskybrightness, maxskybrightness); no category leaves them, and b stays below 0."""
+def is_sky(category: int, delta: float) -> bool:
+    """Whether the sky is positive everywhere and finite at the horizon, b clearly below 0, for every sun."""
+    for theta in np.linspace(0, math.pi / 2, 31).tolist():
+        a, b, c, d, e = shape(category, theta, delta)
+        if b > -0.005:
+            return False
+        gradation = 1 + a * np.exp(b / np.cos(np.linspace(0, 1.5705, 40)))
+        chi = np.linspace(0, math.pi / 2 + theta, 40)
+        if min(gradation.min(), (1 + c * np.exp(d * chi) + e * np.cos(chi) ** 2).min()) <= 0:
+            return False
+    return True
+
+
+@pytest.mark.parametrize("category", range(1, 9))
+def test_limits_of_brightness_are_the_models_own(category: int) -> None:
+    """To 0.05 the widest range in which the model is a sky, within gendaylit's 0.01 to 0.6."""
     low, high = perezsky.model.DELTA_RANGE
     assert (low, high) == (0.01, 0.6)
-    found = [Perez(category=c).domains["brightness"] for c in range(1, 9)]  # type: ignore[arg-type]
-    assert min(d.low for d in found) == low
-    assert max(d.high for d in found) == high
-    for category, domain in enumerate(found, start=1):
-        for theta in np.linspace(0, math.pi / 2, 40):
-            for delta in np.linspace(domain.low, domain.high, 30):
-                k = shape(category, float(theta), float(delta))
-                assert k[1] < 0
-                assert 1 + k[0] * math.exp(k[1]) > 0
+    domain = Perez(category=category).domains["brightness"]  # type: ignore[arg-type]
+    for delta in np.linspace(domain.low, domain.high, 12).tolist():
+        assert low <= delta <= high
+        assert is_sky(category, delta)
+    for beyond in (domain.low - 0.05, domain.high + 0.05):
+        assert not low - 1e-9 <= beyond <= high + 1e-9 or not is_sky(category, beyond)
+    assert (domain.low / 0.05) % 1 == pytest.approx(0, abs=1e-9) or domain.low == low
 
 
 @pytest.mark.parametrize("category", range(2, 9))

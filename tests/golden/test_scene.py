@@ -89,7 +89,7 @@ def test_ground_and_sun(theta: float, tau: float, shines: bool) -> None:
 
 @pytest.mark.parametrize("sunk", [0.0, 0.1, 0.2665, 1.0])
 def test_a_sun_that_is_setting_lights_the_ground_by_what_is_up(sunk: float) -> None:
-    """A black sky and a disc ``sunk`` degrees above the horizon: its weights whole, its irradiance that of the part above."""
+    """A black sky and a disc ``sunk`` degrees above the horizon: weights whole, irradiance that of the part above."""
     theta, tau = math.pi / 2 - math.radians(sunk), 2.5
     where, solid = disc(theta)
     colour = sun.radiance(theta, tau)
