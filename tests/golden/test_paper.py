@@ -7,12 +7,14 @@ by least squares to stratified Monte Carlo samples, errors by eqs. 2 and 3; "bel
 from __future__ import annotations
 
 import tomllib
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
 import pytest
 from conftest import ROOT
 from numpy.typing import NDArray
+from threadpoolctl import threadpool_limits
 
 from golden.oracles import (
     REC709,
@@ -142,6 +144,13 @@ def monomials(sets: Array, dtype: type = np.float64) -> Array:
 def e_mean(residual: Array, least: Array) -> float:
     """Eq. 3, the largest over sets and channels."""
     return float((np.sqrt((residual**2).sum(axis=2)) / least[:, np.newaxis]).max())
+
+
+@pytest.fixture(scope="module", autouse=True)
+def one_thread() -> Iterator[None]:
+    """Many small products: threads of a BLAS would wait for each other."""
+    with threadpool_limits(1):
+        yield
 
 
 @pytest.fixture(scope="module")
