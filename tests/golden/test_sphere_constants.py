@@ -245,7 +245,7 @@ def test_the_least_window_is_the_least(bands: int) -> None:
     sky = np.exp(3 * (above @ towards(0.9)))
     weights = (sky * solid) @ basis(above, bands)
     for keep, kernel in (("radiance", np.ones(bands)), ("irradiance", lobe(bands))):
-        smoothing = float(sphere.smallest_window(weights, keep))  # type: ignore[arg-type]
+        smoothing = float(sphere.smallest_window(weights, keep))
         kept = weights * kernel[l]
         least = [(rows @ (kept / (1 + s * (l * (l + 1.0)) ** 2))).min() for s in (smoothing, 0.97 * smoothing)]
         assert least[0] > -1e-9 * kept[0]
