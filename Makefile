@@ -3,7 +3,7 @@ CONFIG ?= configs/preetham.toml
 PYTHON ?= python3
 RUN := .venv/bin/python -m pipeline
 
-.PHONY: help fit test conformance bench stability fuzz lint reference clean
+.PHONY: help fit test conformance bench stability fuzz mutants lint reference clean
 
 help: ## List the targets
 	@grep -E '^[a-z]+:.*## ' Makefile | sed -E 's/^([a-z]+):.*## /\1: /' | column -t -s ':' || true
@@ -25,6 +25,9 @@ stability: .venv/dev.stamp ## Stress the numerics
 
 fuzz: .venv/run.stamp ## Call headers with 10^7 inputs of any bits each (twenty minutes; needs gcc and clang)
 	@.venv/bin/python -m pipeline.stability.fuzz 1e7
+
+mutants: .venv/dev.stamp ## Change numbers, signs and comparisons of the numerics, and name changes that no test notices (an hour)
+	@cd tests && ../.venv/bin/python -m mutants $(MUTANTS)
 
 lint: .venv/dev.stamp ## Check style and types
 	@.venv/bin/ruff check . && .venv/bin/ruff format --check . && .venv/bin/mypy
