@@ -19,6 +19,8 @@ SOURCES = (
     *(f"pipeline/report/{name}.py" for name in ("errors", "ringing", "panorama")),
     "pipeline/export/templates/*.j2",
 )
+# A generator of random inputs: another number there is another test, and no other result.
+_NO_NUMERICS = ("fuzz.c.j2",)
 _C_IN_PYTHON = re.compile(r"pipeline/(fit/(maps|bases)|light/\w+|export/(c_header|c_rows|shaders|shader_dialects))\.py")
 # Widths and counts of digits of what is printed, for people.
 _FORMATTING = {"digits", "width", "indent", "figsize", "dpi", "precision", "threshold", "stacklevel", "maxsize", "timeout"}
@@ -72,7 +74,7 @@ class Mutant:
 def sources(root: Path) -> list[str]:
     """Return the files that mutants are made of, sorted."""
     found = {path.relative_to(root).as_posix() for pattern in SOURCES for path in root.glob(pattern)}
-    return sorted(path for path in found if not path.endswith("__init__.py"))
+    return sorted(path for path in found if not path.endswith(("__init__.py", *_NO_NUMERICS)))
 
 
 def mutants(root: Path, only: str = "") -> list[Mutant]:
@@ -189,6 +191,18 @@ class _Python:
             return
         if isinstance(node, (ast.Constant, ast.JoinedStr)):
             self._literal(node)
+        self._operations(node)
+        if not isinstance(node, ast.JoinedStr):
+            for child in ast.iter_child_nodes(node):
+                if not _is_unknown_length(node, child):
+                    self._expression(child)
+        elif self.c_strings:
+            for part in node.values:
+                if isinstance(part, ast.FormattedValue):
+                    self._formatted(part)
+
+    def _operations(self, node: ast.AST) -> None:
+        """Change what this node does, its parts aside."""
         if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub):
             start = self._span(node)[0]
             self._add(start, start + 1, "")
@@ -198,13 +212,6 @@ class _Python:
             for left, op, right in zip([node.left, *node.comparators], node.ops, node.comparators, strict=False):
                 if type(op) in _COMPARISONS and not (_is_list(left) or _is_list(right)):
                     self._operator(left, right, _COMPARISONS[type(op)])
-        if not isinstance(node, ast.JoinedStr):
-            for child in ast.iter_child_nodes(node):
-                self._expression(child)
-        elif self.c_strings:
-            for part in node.values:
-                if isinstance(part, ast.FormattedValue):
-                    self._formatted(part)
 
     def _formatted(self, part: ast.FormattedValue) -> None:
         # Python 3.11 gives parts of strings places that may be wrong.
@@ -249,6 +256,11 @@ def _for_people(node: ast.AST) -> bool:
     if isinstance(node, ast.Subscript):
         return _name(node.value) in ("Literal", "Annotated", "NDArray")
     return isinstance(node, ast.keyword) and node.arg in _FORMATTING
+
+
+def _is_unknown_length(node: ast.AST, argument: ast.AST) -> bool:
+    """Whether an argument is the -1 of reshape: NumPy takes any negative length for the one to be found."""
+    return isinstance(node, ast.Call) and _name(node.func) == "reshape" and ast.unparse(argument) == "-1"
 
 
 def _name(node: ast.expr) -> str:
