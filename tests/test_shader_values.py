@@ -12,6 +12,7 @@ import shader_tools
 from test_shaders import MADE, Array, Floats, directions, drawn, lobe, tables
 
 from pipeline import runtime, sphere
+from pipeline.export import shaders
 
 TYPES = """
 #include <algorithm>
@@ -57,6 +58,15 @@ HEADS = {
 }
 
 
+def run(source: str, folder: Path) -> bytes:
+    """Compile a C++ program in single precision, and return what it prints."""
+    (folder / "shader.cpp").write_text(source, encoding="utf-8")
+    command = ["g++", "-std=c++11", "-O1", "-fsingle-precision-constant", "-ffp-contract=off", "-o", str(folder / "shader")]
+    done = subprocess.run([*command, str(folder / "shader.cpp")], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    return subprocess.run([str(folder / "shader")], capture_output=True, check=True).stdout
+
+
 def image(made: shader_tools.Program, folder: Path) -> Floats:
     """Compile a program as C++ and run it: ``(height, width, 4)``."""
     head, named, pixel = HEADS[made.language]
@@ -66,11 +76,7 @@ def image(made: shader_tools.Program, folder: Path) -> Floats:
     )
     text = re.sub(r"= \w+\[\d+\]\(([^;]*)\);", r"= {\1};", text).replace("result =", "return")
     loop = LOOP.format(height=made.height, width=made.width, pixel=pixel)
-    (folder / "shader.cpp").write_text(TYPES + text + loop, encoding="utf-8")
-    command = ["g++", "-std=c++11", "-O1", "-fsingle-precision-constant", "-ffp-contract=off", "-o", str(folder / "shader")]
-    done = subprocess.run([*command, str(folder / "shader.cpp")], capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stderr
-    out = subprocess.run([str(folder / "shader")], capture_output=True, check=True).stdout
+    out = run(TYPES + text + loop, folder)
     return np.frombuffer(out, dtype="<f4").reshape(made.height, made.width, 4)
 
 
@@ -91,3 +97,25 @@ def test_shaders_compiled_as_cpp_agree_with_the_runtime(tmp_path: Path, name: st
     values = got[..., : len(table.channels)].swapaxes(1, 2)
     assert values.shape == expected.shape
     assert np.abs(values - expected).max() < 1e-5 * np.abs(weights).max()
+
+
+def test_waves_are_cosine_and_sine_to_the_last_bits(tmp_path: Path) -> None:
+    """In all quadrants and at their edges, where the reduction by quarter turns rounds."""
+    edges = np.arange(-40, 41) * np.pi / 8
+    angles = np.concatenate([np.linspace(-10.0, 10.0, 4001), edges, np.nextafter(edges, 9.0)]).astype(np.float32)
+    text = shaders.write(tables()["preetham"], shader_tools.FACTS, "glsl")
+    text = re.sub(r"= \w+\[\d+\]\(([^;]*)\);", r"= {\1};", text)
+    values = ", ".join(f"{float(v):.9e}f" for v in angles)
+    main = f"""
+static const float in[{angles.size}] = {{{values}}};
+int main()
+{{
+    for (float angle : in) {{
+        const vec2 wave = skylight_sh_wave(angle);
+        fwrite(&wave, sizeof wave, 1, stdout);
+    }}
+}}
+"""
+    got = np.frombuffer(run(TYPES + text + main, tmp_path), dtype="<f4").reshape(-1, 2)
+    exact = angles.astype(np.float64)
+    assert np.abs(got - np.stack([np.cos(exact), np.sin(exact)], axis=-1)).max() < 2e-7

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import functools
+import itertools
 import sys
 import tempfile
 from pathlib import Path
@@ -26,6 +27,7 @@ def main() -> int:
     parser.add_argument("--seed", type=int, default=SEED, help="which draw")
     parser.add_argument("--only", default="", metavar="PATH", help="mutants of the files whose path begins with this")
     parser.add_argument("--list", action="store_true", help="print the mutants drawn, and try none")
+    parser.add_argument("--quick", type=float, metavar="SECONDS", help="ask so many seconds of tests alone, the first ones")
     options = parser.parse_args()
 
     every = generate.mutants(ROOT)
@@ -53,7 +55,9 @@ def main() -> int:
         read = functools.cache(lambda path: (ROOT / path).read_text(encoding="utf-8"))
 
         def tests_of(mutant: generate.Mutant) -> list[tuple[str, float]]:
-            return [(test, record.seconds[test]) for test in record.concerned(mutant, read)]
+            tests = [(test, record.seconds[test]) for test in record.concerned(mutant, read)]
+            ends = itertools.accumulate(seconds for _, seconds in tests)
+            return [pair for pair, end in zip(tests, ends, strict=True) if not options.quick or end < options.quick]
 
         outcomes = run.attempt_all(places, asked, tests_of, say)
     survivors = [outcome for outcome in outcomes if not outcome.killed]

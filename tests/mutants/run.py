@@ -7,9 +7,9 @@ import queue
 import shutil
 import subprocess
 import sys
-import threading
 import time
 from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -57,11 +57,12 @@ class Worker:
         )
 
     def close(self) -> None:
-        """End the process."""
+        """End the process, and what it runs."""
         assert self.process.stdin is not None
         assert self.process.stdout is not None
-        self.process.stdin.close()
+        self.process.terminate()
         self.process.wait()
+        self.process.stdin.close()
         self.process.stdout.close()
 
     def run(self, tests: Sequence[tuple[str, float]]) -> int:
@@ -127,34 +128,30 @@ def attempt_all(
     for pair in enumerate(drawn):
         waiting.put(pair)
     found: dict[int, Outcome] = {}
-    problems: list[BaseException] = []
 
-    def work(place: Path) -> None:
-        worker = Worker(place)
+    def work(worker: Worker) -> None:
+        while True:
+            try:
+                at, mutant = waiting.get_nowait()
+            except queue.Empty:
+                return
+            start = time.monotonic()
+            outcome = found[at] = worker.attempt(mutant, tests_of(mutant))
+            what = "killed  " if outcome.killed else "SURVIVED"
+            took = f"{time.monotonic() - start:.1f} s, {outcome.how}"
+            say(f"[{len(found)}/{len(drawn)}] {what} {mutant.path}:{mutant.line} ({took})")
+            if not outcome.killed:
+                say(f"    - {mutant.before}\n    + {mutant.after}")
+
+    workers = [Worker(place) for place in places]
+    with ThreadPoolExecutor(len(workers)) as pool:
         try:
-            while not waiting.empty() and not problems:
-                try:
-                    at, mutant = waiting.get_nowait()
-                except queue.Empty:
-                    return
-                start = time.monotonic()
-                outcome = worker.attempt(mutant, tests_of(mutant))
-                found[at] = outcome
-                what = "killed  " if outcome.killed else "SURVIVED"
-                took = f"{time.monotonic() - start:.1f} s, {outcome.how}"
-                say(f"[{len(found)}/{len(drawn)}] {what} {mutant.path}:{mutant.line} ({took})")
-                if not outcome.killed:
-                    say(f"    - {mutant.before}\n    + {mutant.after}")
-        except BaseException as problem:
-            problems.append(problem)
+            for done in [pool.submit(work, worker) for worker in workers]:
+                done.result()
         finally:
-            worker.close()
-
-    threads = [threading.Thread(target=work, args=[place]) for place in places]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
-    if problems:
-        raise problems[0]
+            # After a failure or Ctrl-C too: the other worker's wait then ends.
+            while not waiting.empty():
+                waiting.get()
+            for worker in workers:
+                worker.close()
     return [found[at] for at in range(len(drawn))]

@@ -30,6 +30,9 @@ TOO_LONG, BROKEN = 64, 70
 
 
 def main() -> None:
+    # Ended from outside, it takes the child along.
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
     for name in LIBRARIES:
         try:
             importlib.import_module(name)
@@ -48,6 +51,8 @@ def main() -> None:
 def _run(job: dict[str, Any]) -> None:
     """Be the child: run the tests and end."""
     os.setsid()
+    signal.signal(signal.SIGTERM, signal.SIG_DFL)
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     log = os.open(str(job["log"]), os.O_WRONLY | os.O_CREAT | os.O_TRUNC)
     os.dup2(log, 1)
     os.dup2(log, 2)
@@ -69,19 +74,18 @@ def _run(job: dict[str, Any]) -> None:
 def _wait(child: int, seconds: float) -> int:
     """Return the child's exit code, negative for a signal; a child that takes too long is killed with all it started."""
     until = time.monotonic() + seconds
-    while True:
-        done, status = os.waitpid(child, os.WNOHANG)
-        if done:
-            code = os.waitstatus_to_exitcode(status)
-            break
-        if time.monotonic() > until:
+    try:
+        while time.monotonic() < until:
+            done, status = os.waitpid(child, os.WNOHANG)
+            if done:
+                return os.waitstatus_to_exitcode(status)
+            time.sleep(0.01)
+        return TOO_LONG
+    finally:
+        with contextlib.suppress(ProcessLookupError):
             os.killpg(child, signal.SIGKILL)
+        with contextlib.suppress(ChildProcessError):
             os.waitpid(child, 0)
-            return TOO_LONG
-        time.sleep(0.01)
-    with contextlib.suppress(ProcessLookupError):
-        os.killpg(child, signal.SIGKILL)
-    return code
 
 
 if __name__ == "__main__":
