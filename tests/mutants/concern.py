@@ -100,17 +100,17 @@ def measure(root: Path, copies: Sequence[Path], cache: Path, say: Callable[[str]
     cache.mkdir(parents=True, exist_ok=True)
     listed = [path for path in files(root) if not path.startswith("tests/mutants/")]
     modules = [path for path in listed if re.fullmatch(r"tests/(.+/)?test_\w+\.py", path) and path not in _NOT_ASKED]
-    common = [path for path in listed if re.match(r"(pipeline|configs|tests|reports/reference)/", path)]
+    inside = [
+        path for path in listed if re.match(r"(pipeline|configs|reports/reference)/|tests/(?!.*\.py$)|.*conftest\.py", path)
+    ]
     shared = hashlib.sha256()
-    for path in common:
-        if path not in modules and path not in _NOT_ASKED:
-            shared.update(path.encode() + (root / path).read_bytes())
+    for path in inside:
+        shared.update(path.encode() + (root / path).read_bytes())
     places = {}
     for module in modules:
         name = module.replace("/", "-").removesuffix(".py")
-        places[module] = (
-            cache / f"{name}-{hashlib.sha256(shared.digest() + (root / module).read_bytes()).hexdigest()[:16]}.json"
-        )
+        own = b"".join((root / path).read_bytes() for path in sorted(_imported(root, module)))
+        places[module] = cache / f"{name}-{hashlib.sha256(shared.digest() + own).hexdigest()[:16]}.json"
         if not places[module].is_file():
             for old in cache.glob(f"{name}-*.json"):
                 old.unlink()
@@ -125,6 +125,17 @@ def measure(root: Path, copies: Sequence[Path], cache: Path, say: Callable[[str]
     with ThreadPoolExecutor(len(copies)) as pool:
         list(pool.map(work, copies))
     return Record(json.loads(place.read_text(encoding="utf-8")) for place in places.values())
+
+
+def _imported(root: Path, module: str) -> set[str]:
+    """Return a test module and the files beside it that it imports, and so on."""
+    found, new = set(), {module}
+    while new:
+        found |= new
+        text = "\n".join((root / path).read_text(encoding="utf-8") for path in new)
+        names = re.findall(r"^(?:from|import) (\w+)", text, re.MULTILINE)
+        new = {path for name in names if (root / (path := f"tests/{name}.py")).is_file()} - found
+    return found
 
 
 def _record(copy: Path, module: str, place: Path) -> None:
