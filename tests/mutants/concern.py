@@ -101,7 +101,7 @@ def measure(root: Path, copies: Sequence[Path], cache: Path, say: Callable[[str]
     listed = [path for path in files(root) if not path.startswith("tests/mutants/")]
     modules = [path for path in listed if re.fullmatch(r"tests/(.+/)?test_\w+\.py", path) and path not in _NOT_ASKED]
     inside = [
-        path for path in listed if re.match(r"(pipeline|configs|reports/reference)/|tests/(?!.*\.py$)|.*conftest\.py", path)
+        path for path in listed if re.match(r"(pipeline|configs|reports/reference)/|tests/(?!\w+\.py$)|tests/conftest\.py", path)
     ]
     shared = hashlib.sha256()
     for path in inside:
