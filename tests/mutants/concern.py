@@ -100,9 +100,8 @@ def measure(root: Path, copies: Sequence[Path], cache: Path, say: Callable[[str]
     cache.mkdir(parents=True, exist_ok=True)
     listed = [path for path in files(root) if not path.startswith("tests/mutants/")]
     modules = [path for path in listed if re.fullmatch(r"tests/(.+/)?test_\w+\.py", path) and path not in _NOT_ASKED]
-    inside = [
-        path for path in listed if re.match(r"(pipeline|configs|reports/reference)/|tests/(?!\w+\.py$)|tests/conftest\.py", path)
-    ]
+    common = re.compile(r"(pipeline|configs|reports/reference)/|tests/(?!\w+\.py$)|tests/conftest\.py")
+    inside = [path for path in listed if common.match(path)]
     shared = hashlib.sha256()
     for path in inside:
         shared.update(path.encode() + (root / path).read_bytes())
