@@ -23,7 +23,19 @@ SOURCES = (
 _NO_NUMERICS = ("fuzz.c.j2",)
 _C_IN_PYTHON = re.compile(r"pipeline/(fit/(maps|bases)|light/\w+|export/(c_header|c_rows|shaders|shader_dialects))\.py")
 # Widths and counts of digits of what is printed, for people.
-_FORMATTING = {"digits", "width", "indent", "figsize", "dpi", "precision", "threshold", "stacklevel", "maxsize", "timeout"}
+_FORMATTING = {
+    "about",
+    "digits",
+    "width",
+    "indent",
+    "figsize",
+    "dpi",
+    "precision",
+    "threshold",
+    "stacklevel",
+    "maxsize",
+    "timeout",
+}
 _CALLS_OF_TEXT = {"warn", "print", "warning", "TypeVar", "Field", "Path", "compile", "batch"}
 
 _OPERATORS: dict[type[ast.operator], str] = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/"}
