@@ -3,7 +3,7 @@ CONFIG ?= configs/preetham.toml
 PYTHON ?= python3
 RUN := .venv/bin/python -m pipeline
 
-.PHONY: help fit test conformance bench stability fuzz verify machines noise lint reference clean
+.PHONY: help fit test conformance bench stability fuzz verify machines noise mutants lint reference clean
 
 help: ## List the targets
 	@grep -E '^[a-z]+:.*## ' Makefile | sed -E 's/^([a-z]+):.*## /\1: /' | column -t -s ':' || true
@@ -34,6 +34,9 @@ machines: .venv/run.stamp ## Run CONFIG under many kernels, threads and workers,
 
 noise: .venv/run.stamp ## Run CONFIG on truths with noise, 30 seeds, and compare every byte (ten minutes)
 	@.venv/bin/python -m pipeline.stability.same_bytes $(CONFIG)
+
+mutants: .venv/dev.stamp ## Change numbers, signs and comparisons of the numerics, and name changes that no test notices (an hour)
+	@cd tests && ../.venv/bin/python -m mutants $(MUTANTS)
 
 lint: .venv/dev.stamp ## Check style and types
 	@.venv/bin/ruff check . && .venv/bin/ruff format --check . && .venv/bin/mypy

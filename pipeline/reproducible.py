@@ -68,7 +68,7 @@ def in_double(function: Callable[[Any], Any], values: NDArray[np.floating]) -> N
 
     Libraries' single-precision functions differ in the last bit between processors; a double result, rounded, does not.
     """
-    wide = np.ascontiguousarray(values, dtype=np.float64)
+    wide = np.asarray(values, dtype=np.float64, order="C")
     return np.asarray(function(wide), dtype=values.dtype)
 
 

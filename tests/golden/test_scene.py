@@ -156,7 +156,7 @@ def test_what_errors_are_divided_by(quantity: str) -> None:
 
     config = scene_config(f'quantity = "{quantity}"')
     inputs = {"truth/verification": dataset(slice(0, 2), True), "truth/random": dataset(slice(2, 3), False)}
-    reference = reference_of(config, inputs)
+    reference = reference_of(config, inputs, ("truth/verification", "truth/random"))
     scale, kernel = (math.pi, lobe(BANDS)) if quantity == "irradiance" else (1.0, np.ones(BANDS))
     assert reference.least == pytest.approx(scale * np.array([3.0, 4.0, 5.0]), rel=1e-14)
     assert reference.mean == pytest.approx(scale * mean * row.sum(), rel=1e-9)

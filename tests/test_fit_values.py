@@ -1,0 +1,148 @@
+"""Fits against closed forms: nodes, changes of variable, error measures, importance, and what scaling may not change."""
+
+from __future__ import annotations
+
+import itertools
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from pipeline.fit import errors, search
+from pipeline.fit.axes import Axis
+from pipeline.fit.fewest import fewest
+from pipeline.fit.maps import MAPS
+from pipeline.fit.weighted import Sampled, even, metric, sharpen
+
+Array = NDArray[np.float64]
+
+POINTS = {"identity": 0.0, "log": 0.7, "reciprocal": 5.5, "cbrt": 4.25, "raw": 0.0}
+VALUES = np.array([1.25, 1.5, 2.0, 3.0, 4.0])
+SCALED = {
+    "identity": (VALUES - 1.25) / 2.75 * 2 - 1,
+    "log": np.log((VALUES - 0.7) / 0.55) / np.log(3.3 / 0.55) * 2 - 1,
+    "reciprocal": (1 / (5.5 - VALUES) - 1 / 4.25) / (1 / 1.5 - 1 / 4.25) * 2 - 1,
+    "cbrt": (np.cbrt(3.0) - np.cbrt(4.25 - VALUES)) / (np.cbrt(3.0) - np.cbrt(0.25)) * 2 - 1,
+    "raw": VALUES,
+}
+
+
+@pytest.mark.parametrize("name", MAPS)
+def test_maps_are_their_formulas_both_ways(name: str) -> None:
+    axis = Axis("haze", 1.25, 4.0, map=name, point=POINTS[name])
+    assert axis.scaled(VALUES) == pytest.approx(SCALED[name], abs=1e-14)
+    assert axis.unscaled(SCALED[name]) == pytest.approx(VALUES, abs=1e-14)
+
+
+def test_a_value_that_never_changes_stands_in_the_middle_of_nothing() -> None:
+    axis = Axis("haze", 2.0, 2.0)
+    assert axis.scaled(np.array([2.0])).tolist() == [-1.0]
+    assert axis.fit_nodes(3, "chebyshev").tolist() == [2.0] * 3
+    assert axis.verification_nodes(5, np.array([2.0])).tolist() == [2.0]
+
+
+def test_nodes_are_chebyshevs() -> None:
+    axis = Axis("haze", 1.0, 5.0)
+    roots = np.sort(3.0 + 2.0 * np.cos(np.pi * (2 * np.arange(1, 8) - 1) / 14))
+    for kind in ("identity", "raw"):
+        assert Axis("haze", 1.0, 5.0, map=kind).fit_nodes(7, "chebyshev") == pytest.approx(roots, abs=1e-14)
+    assert axis.fit_nodes(5, "uniform").tolist() == [1.0, 2.0, 3.0, 4.0, 5.0]
+    # Of a map the nodes lie where its variable is a root.
+    log = Axis("haze", 1.0, 5.0, map="log", point=0.0)
+    assert log.fit_nodes(7, "chebyshev") == pytest.approx(np.sqrt(5.0) ** (1 + (roots - 3.0) / 2.0), rel=1e-14)
+
+    extrema = 3.0 - 2.0 * np.cos(np.pi * np.arange(5) / 4)
+    free = axis.verification_nodes(5, np.array([0.0]))
+    assert free == pytest.approx(extrema, abs=1e-14)
+    assert (free[0], free[-1]) == (1.0, 5.0)
+    assert axis.verification_nodes(1, np.array([0.0])).tolist() == [1.0]
+    assert axis.verification_nodes(2, np.array([0.0])).tolist() == [1.0, 5.0]
+    # One that a fit shares, or nearly, moves by a quarter of the way to the next; the ends stay.
+    spacing = extrema[1] - extrema[0]
+    for near, moves in ((0.0, True), (0.9e-3 * spacing, True), (-0.9e-3 * spacing, True), (1.1e-3 * spacing, False)):
+        moved = axis.verification_nodes(5, np.array([1.0, 3.0 + near, 5.0]))
+        expected = extrema.copy()
+        expected[2] += 0.25 * (extrema[3] - extrema[2]) if moves else 0.0
+        assert moved == pytest.approx(expected, abs=1e-14)
+
+
+def test_errors_are_those_of_the_papers_equations() -> None:
+    degrees = np.array([0, 1, 1, 2, 2, 2])
+    reference = errors.Reference(np.zeros((2, 1)), np.zeros((2, 1, 6)), degrees, np.array([2.0, 0.5]), np.array([3.0, 4.0]))
+    assert [reference.first_bands(n).tolist() for n in (1, 2, 3, 4)] == [[0], [0, 1, 2], [*range(6)], [*range(6)]]
+    assert reference.l_min["global"].tolist() == [0.5, 0.5]
+    assert reference.headline.tolist() == [2.0, 0.5]
+    zero = errors.Reference(np.zeros((2, 1)), np.zeros((2, 1, 6)), degrees, np.array([2.0, 0.0]), np.array([3.0, 4.0]))
+    assert zero.headline.tolist() == [3.0, 4.0]
+    residual = np.array([[[1.0, -2.0, 2.0, 4.0, -4.0, 1.0]], [[0.5, 0.0, 0.0, 0.0, 0.0, -1.0]]])
+    absolute, root = errors.by_band(residual, degrees, 3)
+    assert absolute.tolist() == [[[1.0, 5.0, 14.0]], [[0.5, 0.5, 1.5]]]
+    assert root == pytest.approx(np.sqrt([[[1.0, 9.0, 42.0]], [[0.25, 0.25, 1.25]]]))
+    assert errors.e_mean(residual, reference.headline) == pytest.approx(np.sqrt(42.0) / 2.0)
+    assert errors.e_mean(residual[1:], reference.headline[1:]) == pytest.approx(np.sqrt(1.25) / 0.5)
+
+
+def test_importance_moves_in_proportion_to_the_errors() -> None:
+    """Lawson's rule, where all sets of a channel err alike, and averages of four binomial steps where they do not."""
+    importance = np.array([[1.0, 2.0], [3.0, 4.0], [5.0, 6.0]]) / 21.0
+    moved = sharpen(importance, np.tile([0.3, 0.6], (3, 1)), (3,))
+    expected = importance * [1.0, 2.0]
+    assert moved == pytest.approx(expected / expected.sum(), rel=1e-14)
+
+    spike = np.zeros((31, 1))
+    spike[15] = 0.7
+    flat = np.full((31, 1), 1.0 / 31.0)
+    made = sharpen(flat, spike, (31,))[:, 0]
+    binomial = np.array([1, 8, 28, 56, 70, 56, 28, 8, 1])
+    assert made[11:20] ** 2 == pytest.approx(binomial * (made[15] ** 2 / 70), rel=1e-12)
+    assert not made[:11].any()
+    assert not made[20:].any()
+    assert made.sum() == pytest.approx(1.0)
+
+
+def grid(count: int) -> Sampled:
+    """Two smooth weights of one channel over two variables: four terms of the first, three of the second."""
+    u = -np.cos(np.pi * (np.arange(count) + 0.5) / count)
+    a, b = (x.ravel() for x in np.meshgrid(u, u, indexing="ij"))
+    first, second = np.polynomial.chebyshev.chebvander(a, 3), np.polynomial.chebyshev.chebvander(b, 2)
+    basis = (first[:, :, np.newaxis] * second[:, np.newaxis, :]).reshape(a.size, -1)
+    truth = np.stack([1.0 / (1.6 - a - 0.3 * b), np.exp(0.7 * a - 0.4 * b)], axis=-1)
+    return Sampled(basis, truth[:, np.newaxis])
+
+
+@pytest.mark.parametrize("budget", [0.8, 0.5, 0.4])
+def test_fewest_terms_are_those_of_trying_every_staircase(budget: float) -> None:
+    fitted, checked = grid(9), grid(14)
+    normal = metric(fitted, even(fitted))
+    needed = 12
+    for lengths in itertools.product(range(5), repeat=3):
+        kept = np.flatnonzero((np.arange(4)[:, np.newaxis] < np.array(lengths)).ravel())
+        if 0 < kept.size < needed and checked.errors(normal.best_of(kept)).max() <= budget:
+            needed = kept.size
+    assert needed < 12
+    best, _ = fewest(fitted, checked, (9, 9), 4, budget)
+    assert best is not None
+    assert best.lengths.sum() <= -(-needed // 4) * 4
+    # A budget that is met to the last bit is met.
+    again, _ = fewest(fitted, checked, (9, 9), 4, best.error)
+    assert again is not None
+    assert again.error <= best.error
+    assert again.lengths.sum() <= best.lengths.sum()
+
+
+def test_a_denominator_does_not_depend_on_the_unit_of_the_weights() -> None:
+    x = np.linspace(-1.0, 1.0, 25)
+    low, high = np.polynomial.chebyshev.chebvander(x, 2), np.polynomial.chebyshev.chebvander(x, 4)
+    least = 1.0 / (1.5 - x)
+    samples = np.stack([least * (1 + x), least * np.exp(x), np.cos(2 * x)], axis=-1)
+    found = search._denominator(low, high, samples, least, 1e-3)
+    assert found is not None
+    for unit in (1e-4, 1e5):
+        other = search._denominator(low, high, unit * samples, least, 1e-3)
+        assert other == pytest.approx(found, rel=1e-6, abs=1e-8)
+    # What is a polynomial over 1.5 - x needs no other denominator.
+    exact = search._denominator(low, high, samples[:, :1], least, 1e-6)
+    assert exact is not None
+    q = low @ exact
+    assert q / (1.5 - x) == pytest.approx(np.full(25, q[0] / 2.5), rel=1e-3)
+    assert q.mean() == pytest.approx(1.0)

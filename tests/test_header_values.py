@@ -1,0 +1,258 @@
+"""Headers against formulas: every flavour's self-test by one compiler, derivatives, batches, and what a caller adds."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from c_programs import FACTS, STRICT, floats, run
+from numpy.typing import NDArray
+
+from pipeline import runtime, sphere
+from pipeline.export import c_header, vectors
+from pipeline.fit.axes import Axis
+from pipeline.stability.flavours import flavours
+from pipeline.table.table import Frame, Table, fast
+
+Array = NDArray[np.float64]
+FLAVOURS = flavours()
+
+
+def with_luminance(table: Table) -> c_header.Facts:
+    return replace(FACTS, luminance=FACTS.luminance[: len(table.channels)])
+
+
+def inside(table: Table, count: int) -> NDArray[np.float32]:
+    """Random inputs within the ranges' inner nine tenths, in the runtime's order."""
+    rng = np.random.default_rng(6)
+    ends = [(low + 0.05 * (high - low), high - 0.05 * (high - low)) for low, high in table.ranges]
+    columns = [rng.uniform(low, high, count) for low, high in ends]
+    columns.insert(1, rng.uniform(-4, 4, count))
+    return np.stack(columns, axis=-1).astype(np.float32)
+
+
+@pytest.mark.parametrize("name", FLAVOURS)
+def test_every_flavour_passes_its_self_test(tmp_path: Path, name: str) -> None:
+    table = FLAVOURS[name]
+    (tmp_path / "skylight_sh.h").write_text(c_header.write(table, with_luminance(table)), encoding="utf-8")
+    (tmp_path / "vectors.txt").write_text(vectors.write(table), encoding="utf-8")
+    done = run(tmp_path, vectors.self_test(table), "vectors.txt", check=False)
+    assert (done.returncode, " 0 failed" in done.stdout) == (0, True), done.stdout + done.stderr
+
+
+def test_a_self_test_names_what_fails(tmp_path: Path) -> None:
+    """Another prefix, a weight never stored, a status, a number too few, a bound of the caller's: each has its outcome."""
+    table = FLAVOURS["one-axis"]
+    header = c_header.write(table, with_luminance(table))
+    (tmp_path / "vectors.txt").write_text(vectors.write(table), encoding="utf-8")
+    count = int(re.findall(r"^vectors (\d+)$", vectors.write(table), re.MULTILINE)[0])
+    program = vectors.self_test(table)
+
+    def outcome(header: str, *arguments: str) -> tuple[int, int, int, float]:
+        (tmp_path / "skylight_sh.h").write_text(header, encoding="utf-8")
+        done = run(tmp_path, program, "vectors.txt", *arguments, check=False)
+        passed, failed = map(int, re.findall(r"(\d+) passed, (\d+) failed", done.stdout)[0])
+        assert len(re.findall(r"^vector \d+ failed$", done.stdout, re.MULTILINE)) == failed
+        return done.returncode, passed, failed, float(re.findall(r"deviation (\S+) of", done.stdout)[0])
+
+    code, passed, failed, deviation = outcome(header)
+    assert (code, passed, failed) == (0, count, 0)
+    assert 0.0 < deviation < vectors.BOUND
+    code, passed, failed, _ = outcome(header, f"{0.5 * deviation:.3g}")
+    assert code == 1
+    assert 0 < failed < count
+    assert outcome(header, f"{1.1 * deviation:.3g}")[0] == 0
+
+    kept = "    return status;\n}\n\n/* Evaluates all bands. */"
+    start = "    int i, status = skylight_sh_inputs("
+    assert header.count(kept) == header.count(f", scale;\n{start}") == 1
+    # The last weight stays as it was before the call: no number, so that it counts as no deviation.
+    unset = header.replace(f", scale;\n{start}", f", scale;\n    const float left = weights[0][24];\n{start}")
+    code, passed, failed, deviation = outcome(unset.replace(kept, "    weights[0][24] = left;\n" + kept))
+    assert (code, failed) == (1, count - _invalid(table))
+    assert deviation < vectors.BOUND
+    code, passed, failed, deviation = outcome(header.replace(kept, "    weights[0][24] = 1e6f;\n" + kept))
+    assert (code, failed) == (1, count - _invalid(table))
+    assert deviation > 1.0
+    assert outcome(header.replace("*status |= (v < first) | (v > last);", ""))[:2] == (1, count - _clamped(table))
+
+    (tmp_path / "skylight_sh.h").write_text(header, encoding="utf-8")
+    text = vectors.write(table)
+    for damaged in (
+        "",
+        text[: len(text) // 2],
+        text.replace("channels 1", "channels 2"),
+        text.replace("vectors 1", "vectors 2", 1),
+    ):
+        (tmp_path / "vectors.txt").write_text(damaged, encoding="utf-8")
+        assert run(tmp_path, program, "vectors.txt", check=False).returncode == 2
+    assert run(tmp_path, program, check=False).returncode == 2
+    assert "no file given" in run(tmp_path, program, check=False).stderr
+    assert "absent.txt" in run(tmp_path, program, "absent.txt", check=False).stderr
+
+
+def _status(table: Table) -> list[int]:
+    words = vectors.write(table).split()
+    inputs, channels, weights = (int(words[i]) for i in (3, 5, 7))
+    rows = np.array(words[14:], dtype=np.float64).reshape(-1, inputs + 1 + channels * weights)
+    return [int(v) for v in rows[:, inputs]]
+
+
+def _invalid(table: Table) -> int:
+    return _status(table).count(2)
+
+
+def _clamped(table: Table) -> int:
+    return _status(table).count(1)
+
+
+BATCH = """
+#include <stdio.h>
+#include "skylight_sh.h"
+#define SUNS {suns}
+{columns}
+static float out[SUNS + 1][SKYLIGHT_SH_CHANNELS][SKYLIGHT_SH_WEIGHTS], one[SKYLIGHT_SH_CHANNELS][SKYLIGHT_SH_WEIGHTS];
+int main(void)
+{{
+    int s, status, worst = 0, c, i;
+    double far = 0, large = 0;
+    memset(out, 0x7f, sizeof out);
+    status = skylight_sh_weights_batch(SUNS, {names}, out);
+    for (s = 0; s < SUNS; ++s) {{
+        const int single = skylight_sh_weights({elements}, one);
+        worst = single > worst ? single : worst;
+        for (c = 0; c < SKYLIGHT_SH_CHANNELS; ++c)
+            for (i = 0; i < SKYLIGHT_SH_WEIGHTS; ++i) {{
+                const double d = fabs((double)out[s][c][i] - (double)one[c][i]), size = fabs((double)one[c][i]);
+                far = d > far ? d : far;
+                large = size > large ? size : large;
+            }}
+    }}
+    {{
+        uint32_t bits, touched = 0;
+        for (c = 0; c < SKYLIGHT_SH_CHANNELS; ++c)
+            for (i = 0; i < SKYLIGHT_SH_WEIGHTS; ++i) {{
+                memcpy(&bits, &out[SUNS][c][i], sizeof bits);
+                touched += bits != 0x7f7f7f7fu;
+            }}
+        printf("%d %d %d %.3g\\n", status, worst, (int)touched, far / large);
+    }}
+    return 0;
+}}
+"""
+
+
+@pytest.mark.parametrize("name", FLAVOURS)
+@pytest.mark.parametrize("invalid", [False, True], ids=["valid", "with a NaN"])
+def test_a_batch_is_its_single_calls(tmp_path: Path, name: str, invalid: bool) -> None:
+    """Suns that share the other axes and suns that do not, one of them clamped; nothing behind the last is touched."""
+    table = FLAVOURS[name]
+    (tmp_path / "skylight_sh.h").write_text(c_header.write(table, with_luminance(table)), encoding="utf-8")
+    rows = inside(table, 12)
+    rows[2:5, 2:] = rows[2, 2:]
+    rows[7, 0] = 50.0
+    rows[9, 2:] = rows[8, 2:]
+    columns = [f"x{i}" for i in range(rows.shape[1])]
+    texts = [f"static const float {c}[SUNS] = {{{floats(rows[:, i])}}};" for i, c in enumerate(columns)]
+    if invalid:
+        texts[1] = texts[1].replace(floats(rows[4:5, 1]), "NAN", 1)
+    source = BATCH.format(
+        suns=len(rows), columns="\n".join(texts), names=", ".join(columns), elements=", ".join(f"{c}[s]" for c in columns)
+    )
+    status, worst, touched, far = run(tmp_path, source, flags=STRICT).stdout.split()
+    assert int(status) == int(worst) == (2 if invalid else 1)
+    assert touched == "0"
+    assert float(far) < 2e-6
+
+
+GRADIENT = """
+#include <stdio.h>
+#include "skylight_sh.h"
+static const float in[{rows}][{inputs}] = {{{{{values}}}}};
+int main(void)
+{{
+    int s, a, c, i;
+    for (s = 0; s < {rows}; ++s) {{
+        static float w[SKYLIGHT_SH_CHANNELS][SKYLIGHT_SH_WEIGHTS];
+        static float g[SKYLIGHT_SH_AXES][SKYLIGHT_SH_CHANNELS][SKYLIGHT_SH_WEIGHTS];
+        memset(w, 0xff, sizeof w);
+        memset(g, 0xff, sizeof g);
+        printf("%d\\n", skylight_sh_weights_gradient({arguments}, w, g));
+        for (c = 0; c < SKYLIGHT_SH_CHANNELS; ++c)
+            for (i = 0; i < SKYLIGHT_SH_WEIGHTS; ++i) printf("%.9g\\n", (double)w[c][i]);
+        for (a = 0; a < SKYLIGHT_SH_AXES; ++a)
+            for (c = 0; c < SKYLIGHT_SH_CHANNELS; ++c)
+                for (i = 0; i < SKYLIGHT_SH_WEIGHTS; ++i) printf("%.9g\\n", (double)g[a][c][i]);
+    }}
+    return 0;
+}}
+"""
+
+
+def gradient(table: Table, rows: NDArray[np.float32], folder: Path) -> tuple[list[int], Array, Array]:
+    """Status, weights ``(n, channels, N*N)`` and derivatives ``(n, axes, channels, N*N)`` by the header."""
+    (folder / "skylight_sh.h").write_text(c_header.write(table, with_luminance(table)), encoding="utf-8")
+    arguments = ", ".join(f"in[s][{i}]" for i in range(rows.shape[1]))
+    values = "}, {".join(map(floats, rows)).replace("nanf", "NAN").replace("inff", "INFINITY")
+    source = GRADIENT.format(rows=len(rows), inputs=rows.shape[1], values=values, arguments=arguments)
+    found = np.array(run(folder, source, flags=STRICT).stdout.split(), dtype=np.float64).reshape(len(rows), -1)
+    shape = (len(rows), 1 + len(table.axes), len(table.channels), table.bands**2)
+    made = found[:, 1:].reshape(shape)
+    return [int(s) for s in found[:, 0]], made[:, 0], made[:, 1:]
+
+
+def three_axes() -> Table:
+    rng = np.random.default_rng(5)
+    axes = (Axis("sun_zenith", 0.25, 1.5), Axis("haze", 1.0, 3.0, map="log", point=0.5), Axis("albedo", -1.0, 1.0))
+    dense = rng.normal(size=(2, sphere.count(3, mirrored=True), 6, 4, 4))
+    dense *= 2.0 ** -np.sum(np.indices(dense.shape[2:]), axis=0)
+    return fast(Frame(axes, ("a", "b"), True, "chebyshev", None), dense, np.full((4, 4), 6), 3, "float64")
+
+
+@pytest.mark.parametrize("name", ["rows", "packed", "float64", "surrounded", "three axes"])
+def test_derivatives_are_those_of_the_runtime(tmp_path: Path, name: str) -> None:
+    """Against differences of the runtime's values, in double precision where the table is of that."""
+    table = three_axes() if name == "three axes" else FLAVOURS[name]
+    rows = inside(table, 6)
+    status, weights, slopes = gradient(table, rows, tmp_path)
+    loaded = runtime.Runtime(table)
+    inputs = rows.astype(np.float64)
+    expected = loaded.weights(*inputs.T).astype(np.float64)
+    assert status == [0] * len(rows)
+    assert np.abs(weights - expected).max() < 2e-6 * np.abs(expected).max()
+    for axis, (low, high) in enumerate(table.ranges):
+        column = axis + (axis > 0)
+        # Single precision allows no smaller step: its error is that of the third derivative.
+        step = (1e-5 if table.dtype == np.float64 else 4e-3) * (high - low)
+        ends = []
+        for sign in (1, -1):
+            moved = inputs.copy()
+            moved[:, column] += sign * step
+            ends.append(loaded.weights(*moved.T).astype(np.float64))
+        found = (ends[0] - ends[1]) / (2 * step)
+        bound = 2e-6 if table.dtype == np.float64 else 2e-3
+        assert np.abs(slopes[:, axis] - found).max() < bound * np.abs(found).max(), axis
+
+
+def test_derivatives_at_and_beyond_the_edges(tmp_path: Path) -> None:
+    table = three_axes()
+    rows = np.array(
+        [[0.25, 0.4, 1.0, -1.0], [1.5, 0.4, 3.0, 1.0], [9.0, 0.4, 9.0, 9.0], [np.nan, 0.4, 2.0, 0.0]], np.float32
+    )
+    status, weights, slopes = gradient(table, rows, tmp_path)
+    assert status == [0, 0, 1, 2]
+    assert np.array_equal(slopes[1], slopes[2])
+    assert not weights[3].any()
+    assert not slopes[3].any()
+    loaded = runtime.Runtime(table)
+    for row, sign in ((0, 1.0), (1, -1.0)):
+        for axis, (low, high) in enumerate(table.ranges):
+            step = 1e-4 * (high - low) * sign
+            moved = np.repeat(rows[row : row + 1].astype(np.float64), 3, axis=0)
+            moved[1:, axis + (axis > 0)] += [step, 2 * step]
+            at = loaded.weights(*moved.T).astype(np.float64)
+            one_sided = (-3 * at[0] + 4 * at[1] - at[2]) / (2 * step)
+            assert np.abs(slopes[row, axis] - one_sided).max() < 1e-4 * np.abs(one_sided).max()

@@ -1,0 +1,245 @@
+"""Tables against counting by hand: layouts, sizes, limits, runs of terms, and what surrounds a sky."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from pipeline import runtime, sphere
+from pipeline.fit.axes import Axis
+from pipeline.light import Preetham
+from pipeline.table import bits, factor, packed, rows, surroundings, twilight
+from pipeline.table.factor import ClosedForm, Reciprocal
+from pipeline.table.layout import layout
+from pipeline.table.surroundings import Surroundings
+from pipeline.table.table import Frame, Table, carried, fast, small
+
+Array = NDArray[np.float64]
+ZENITH = Axis("sun_zenith", 0.0, float(np.pi / 2), map="reciprocal", point=5.0)
+HAZE = Axis("haze", 1.0, 3.0, map="log", point=0.5)
+
+
+def staircase(mirrored: bool = True, dtype: str = "float32", **scene: Any) -> Table:
+    """Two channels, three bands, lengths 3, 2 and 0: five terms."""
+    rng = np.random.default_rng(1)
+    frame = Frame((ZENITH, HAZE), ("a", "b"), mirrored, "chebyshev", None, **scene)
+    dense = rng.normal(size=(2, sphere.count(3, mirrored=mirrored), 4, 3))
+    return fast(frame, dense, np.array([3, 2, 0]), 3, dtype)
+
+
+def test_outputs_stand_in_fours_that_start_at_multiples_of_four() -> None:
+    found = layout(4, 1, mirrored=True)
+    # Bands 0, 1 and 2 leave one, two and three; band 3 is a four of its own, and a gap before it is filled.
+    expected = [(0, 0, 0), (1, 0, 0), (1, 0, 1), (2, 0, 0), (2, 0, 1), (2, 0, 2), None, None]
+    expected += [(3, 0, 0), (3, 0, 1), (3, 0, 2), (3, 0, 3), None, None, None, None]
+    assert list(found.places) == expected
+    assert found.widths == (8, 8, 8, 16)
+    two = layout(5, 2, mirrored=True)
+    for l in (3, 4):
+        for c in range(2):
+            for start in range((l + 1) % 4, l + 1, 4):
+                at = two.places.index((l, c, start))
+                assert at % 4 == 0
+                assert two.places[at : at + 4] == tuple((l, c, start + k) for k in range(4))
+    assert sorted(place for place in two.places if place) == [
+        (l, c, m) for l in range(5) for c in range(2) for m in range(l + 1)
+    ]
+    assert len(two.places) % 8 == 0
+    # The gap before a four of band 3 is filled with what band 4 leaves over.
+    assert None not in two.places[:20]
+    whole = layout(2, 2, mirrored=False)
+    assert list(whole.places) == [(0, 0, 0), (0, 1, 0), *[(1, c, m) for c in range(2) for m in (-1, 0, 1)]]
+    assert whole.widths == (8, 8)
+    assert layout(4, 1, mirrored=False, degrees=(0, 1, 2)).columns(4, 1, mirrored=False)[0, 9:].tolist() == [-1] * 7
+
+
+def test_diffuse_irradiance_has_no_odd_bands_but_the_first() -> None:
+    assert carried("irradiance", 7) == (0, 1, 2, 4, 6)
+    assert carried("radiance", 4) == (0, 1, 2, 3)
+
+
+def test_rows_hold_the_terms_in_order() -> None:
+    assert rows.terms(np.array([3, 0, 1])).tolist() == [0, 3, 6, 2]
+    assert rows.used_degrees(np.array([3, 2, 0]), [9, 2]) == (2, 1)
+    assert rows.used_degrees(np.array([0, 0]), [9, 1]) == (0, 0)
+    assert rows.used_degrees(np.array([4]), [9]) == (3,)
+    assert rows.used_degrees(np.array([0, 2, 0, 1, 0, 0]), [5, 1, 2]) == (1, 1, 1)
+
+
+def test_sizes_are_those_of_every_number_read() -> None:
+    """Of rows: width times terms, ranges and constants of the axes, a byte a length and a band's width."""
+    table = staircase()
+    assert table.degrees == (2, 1)
+    assert table.rest == 2
+    assert table.coefficients == 5 * 2 * 6
+    # 12 outputs in 16 columns; an axis has two ends; reciprocal and log have three constants each.
+    axes = (2 + 3) + (2 + 3)
+    assert table.layout.widths == (8, 8, 16)
+    assert table.bytes == 4 * (5 * 16 + axes) + 2 + 3
+    assert table.bytes_at(1) == 4 * (5 * 8 + axes) + 2 + 3
+    assert staircase(dtype="float64").bytes == 8 * (5 * 16 + axes) + 2 + 3
+    assert staircase(twilight=True).bytes - table.bytes == 4 * 4
+    around = Surroundings(np.eye(9), np.ones((2, 9)), np.zeros(0))
+    surrounded = staircase(surroundings={3: around})
+    assert surrounded.bytes - table.bytes == 4 * (81 + 18)
+    assert surrounded.bytes_at(1) == surrounded.bytes
+
+    found = Reciprocal(np.array([[2.0, 0.3], [0.4, 0.1]], dtype=np.float32))
+    frame = Frame((ZENITH, HAZE), ("a",), True, "chebyshev", found)
+    numbers = np.zeros((6, 1, 3, 2), dtype=np.int64)
+    numbers[:, 0, :2, 0] = np.arange(1, 13).reshape(6, 2)
+    whole = small(frame, numbers, 0.5, (2, 1), 3)
+    assert whole.degrees == (1, 0)
+    assert whole.coefficients == 12
+    assert isinstance(whole.body, packed.Packed)
+    profiles = whole.body.rest_profile.size + whole.body.channel_profile.size
+    assert whole.bytes == len(whole.body.stream) + profiles + 4 * (axes + 4 + 1)
+    assert whole.bytes_at(2) < whole.bytes
+
+
+def test_prefactors_count_what_stands_in_their_code() -> None:
+    sky = Preetham().hints.prefactor
+    assert sky is not None
+    closed = ClosedForm(sky.name, sky.constants, (("turbidity", 3.0),))
+    assert closed.numbers == len(sky.constants) + 1 + sky.literals
+    # 2 + 0.3 T1(v) + 0.4 T1(u) + 0.1 T1(u) T1(v) at two places.
+    found = Reciprocal(np.array([[2.0, 0.3], [0.4, 0.1]]))
+    axes = (Axis("a", 0.0, 1.0), Axis("b", 0.0, 4.0))
+    got = factor.evaluate(found, axes, np.array([[0.75, 1.0], [0.0, 4.0]]))
+    assert got == pytest.approx([1 / (2 - 0.15 + 0.2 - 0.025), 1 / (2 + 0.3 - 0.4 - 0.1)])
+    assert factor.evaluate(None, axes, np.zeros((3, 2))).tolist() == [1.0] * 3
+
+
+def test_limits_leave_a_millionth() -> None:
+    table = staircase()
+    values = np.array([1.0, 1.0 - 1.9e-6, 1.0 - 2.1e-6, 3.0 + 1.9e-6, 3.0 + 2.1e-6, np.nan])
+    clamped, outside = table.clamp(np.stack([np.full(6, 0.5), values], axis=-1))
+    assert outside.tolist() == [False, False, True, False, True, False]
+    assert clamped[:5, 1].tolist() == [1.0, 1.0, 1.0, 3.0, 3.0]
+    # A range narrower than 1 has the slack of 1.
+    narrow = fast(
+        Frame((Axis("a", 0.0, 0.25),), ("one",), True, "chebyshev", None), np.ones((1, 1, 2)), np.array(2), 1, "float32"
+    )
+    assert narrow.clamp(np.array([[0.25 + 0.9e-6], [0.25 + 1.1e-6], [-0.9e-6], [-1.1e-6]]))[1].tolist() == [
+        False,
+        True,
+        False,
+        True,
+    ]
+    for (low, high), (first, last) in zip(table.ranges, table.float32_limits(), strict=True):
+        slack = 1e-6 * max(high - low, 1.0)
+        assert np.float32(first) == first >= low - slack > float(np.nextafter(np.float32(first), np.float32(-9)))
+        assert np.float32(last) == last <= high + slack < float(np.nextafter(np.float32(last), np.float32(9)))
+
+
+def test_twilight_is_its_formula() -> None:
+    """(1 - x)^10 (1 + 10 x) over twelve degrees: 0.6 % at six of them, and nothing at the end."""
+    assert twilight.fade(np.array([0.0, np.pi / 2])).tolist() == [1.0, 1.0]
+    assert twilight.fade(np.pi / 2 + np.radians([6.0, 3.0])) == pytest.approx([6 / 1024, 0.75**10 * 3.5])
+    assert twilight.fade(np.pi / 2 + np.radians([12.0, 20.0])) == pytest.approx([0.0, 0.0], abs=1e-150)
+    table = staircase(twilight=True)
+    assert table.ranges[0] == (0.0, pytest.approx(np.pi / 2 + np.radians(12.0)))
+    assert table.fade(np.array([[np.pi / 2 + np.radians(6.0), 2.0]])) == pytest.approx([6 / 1024])
+    assert table.fade(np.array([[0.3, 2.0]])).tolist() == [1.0]
+
+
+def test_the_runtime_sums_polynomials_and_turns_them() -> None:
+    """One weight at a time: T_i(u) T_j(v) times its coefficient, m > 0 by the cosine, m < 0 by the sine (eq. 4)."""
+    table = staircase(dtype="float64")
+    assert isinstance(table.body, rows.Rows)
+    theta, phi, haze = 0.7, 1.1, 2.2
+    u = (1 / (5 - theta) - 1 / 5) / (1 / (5 - np.pi / 2) - 1 / 5) * 2 - 1
+    v = np.log((haze - 0.5) / 0.5) / np.log(2.5 / 0.5) * 2 - 1
+    terms = np.array([1, u, 2 * u * u - 1, v, u * v])
+    loaded = runtime.Runtime(table)
+    got, status = loaded.weights_and_status(theta, phi, haze)
+    assert status == runtime.OK == 0
+    for column, place in enumerate(table.layout.places):
+        if place:
+            l, c, m = place
+            value = terms @ table.body.rows[:, column]
+            assert got[c, l * (l + 1) + m] == pytest.approx(value * np.cos(m * phi))
+            assert got[c, l * (l + 1) - m] == pytest.approx(value * (np.sin(m * phi) if m else 1.0))
+    assert loaded.status(theta, phi, [0.0, 1.0, 3.0, 3.5, np.nan]).tolist() == [1, 0, 0, 1, 2]
+    assert loaded.status(theta, [np.inf, -np.inf, 1e9], haze).tolist() == [2, 2, 0]
+    assert loaded.weights([[0.1], [0.2]], [0.0, 0.5, 1.0], haze).shape == (2, 3, 2, 9)
+    assert loaded.weights(theta, phi, haze, bands=2) == pytest.approx(got[:, :4])
+    for bands in (0, 4):
+        with pytest.raises(ValueError, match="Should be 1 to 3"):
+            loaded.weights(theta, phi, haze, bands=bands)
+
+
+def test_bits_are_rice_codes() -> None:
+    assert bits.zigzag(np.array([0, -1, 1, -2, 2, -3])).tolist() == [0, 1, 2, 3, 4, 5]
+    assert bits.rice_bits(np.array([0, 5, 5, 5]), np.array([0, 0, 1, 3])).tolist() == [1, 6, 4, 4]
+    writer = bits.Writer()
+    # 3 folds to 6 = 110 over one low bit: three ones, a zero, 0; then 5 in three bits, lowest first: 101.
+    writer.rice(3, 1)
+    writer.fixed(5, 3)
+    assert writer.bytes() == bytes([0b10100111])
+    writer.rice(-1, 0)
+    # -1 folds to 1: a one and a zero.
+    assert writer.bytes() == bytes([0b10100111, 0b01])
+    reader = bits.Reader(bytes([0b10100111, 0b01]))
+    assert (reader.rice(1), reader.fixed(3), reader.rice(0)) == (3, 5, -1)
+
+
+def test_a_packed_table_holds_the_largest_numbers_and_runs() -> None:
+    largest = (1 << 30) - 1
+    degrees = np.zeros(1, dtype=np.int64)
+    numbers = np.array([largest, -largest]).reshape(1, 1, 2, 1)
+    assert packed.unpack(packed.pack(numbers, degrees)).ravel().tolist() == [largest, -largest]
+    with pytest.raises(ValueError, match="up to 1073741823, not 1073741824"):
+        packed.pack(-numbers - np.array([1, 1]).reshape(1, 1, 2, 1), degrees)
+    ones = np.ones((1, 1, 31, 1), dtype=np.int64)
+    assert packed.unpack(packed.pack(ones, degrees)).ravel().tolist() == [1] * 31
+    with pytest.raises(ValueError, match="at most 31 terms"):
+        packed.pack(np.ones((1, 1, 32, 1), dtype=np.int64), degrees)
+
+
+def test_lights_add_to_what_clouds_shine() -> None:
+    """Clouds hide by their opacity and shine themselves; lights come on top, and do not light the ground."""
+    bands = 3
+    wide = surroundings.mask_bands(bands)
+    assert wide == 5
+    opacity = np.zeros(wide * wide)
+    opacity[0] = 0.25 * np.sqrt(4 * np.pi)
+    lights = np.arange(18.0).reshape(2, 9)
+    cloudy = surroundings.build(bands, clouds=(opacity, [2.0, 3.0]))
+    both = surroundings.build(bands, clouds=(opacity, [2.0, 3.0]), lights=lights)
+    alone = surroundings.build(bands, lights=lights)
+    assert np.array_equal(alone.own, lights)
+    assert not alone.transfer.size
+    assert both.own == pytest.approx(cloudy.own + lights)
+    assert np.array_equal(both.transfer, cloudy.transfer)
+    level = sphere.horizon(0.0, wide)[:9]
+    assert cloudy.own == pytest.approx(np.multiply.outer([0.5, 0.75], level), abs=1e-12)
+    assert cloudy.numbers == 81 + 18
+
+    ground = surroundings.build(bands, skyline=[0.1, 0.2, 0.1, 0.05], albedo=[0.5, 0.25], lights=lights)
+    dark = np.zeros((2, 9))
+    assert ground.apply(dark, bands) == pytest.approx(lights)
+    lit = surroundings.build(bands, skyline=[0.1, 0.2, 0.1, 0.05], albedo=[0.5, 0.25])
+    weights = np.random.default_rng(3).normal(size=(2, 9))
+    seen = weights @ lit.transfer.T
+    # Radiance albedo E / pi, E = 2 sqrt(pi / 3) times the weight l = 1, m = 0.
+    shape = sphere.horizon([0.1, 0.2, 0.1, 0.05], wide)[:9] * -1
+    shape[0] += np.sqrt(4 * np.pi)
+    radiance = np.array([0.5, 0.25]) * 2 * np.sqrt(np.pi / 3) * seen[:, 2] / np.pi
+    assert lit.apply(weights, bands) == pytest.approx(seen + radiance[:, np.newaxis] * shape)
+    assert lit.apply(weights, 2).shape == (2, 4)
+    with pytest.raises(ValueError, match="at least two bands"):
+        surroundings.build(1, skyline=[0.1, 0.1], albedo=[0.5])
+
+
+def test_the_gain_is_the_largest_stretch() -> None:
+    assert Surroundings().gain == 1.0
+    assert Surroundings(own=np.ones((1, 4))).gain == 1.0
+    stretch = np.diag([1.0, 2.0, 0.5, 0.25])
+    assert Surroundings(stretch).gain == pytest.approx(2.0)
+    below = np.array([[0.0, 0.0, 0.0, 0.0], [0.0, 0.0, 5.0, 0.0]])
+    # The ground's share of the third weight: 0.5 + 5 * 0.5.
+    assert Surroundings(stretch, below=below).gain == pytest.approx(3.0)
