@@ -118,7 +118,7 @@ class Preetham(OwnCode):
     def hints(self) -> Hints:
         """Mirror-symmetric, a cusp at the sun, and the zenith luminance factor as prefactor."""
         numbers = tuple(value for row in _PEREZ[self.constants] for value in row[:2])
-        prefactor = Prefactor("preetham_zenith", ("sun_zenith", "turbidity"), numbers, zenith_factor, _ZENITH_FACTOR_C, 26)
+        prefactor = Prefactor("preetham_zenith", ("sun_zenith", "turbidity"), numbers, zenith_factor, _ZENITH_FACTOR_C, 25)
         return Hints(mirrored=True, peak_axis="sun_zenith", prefactor=prefactor)
 
     def radiance(self, directions: Array, parameters: Parameters) -> Array:
@@ -204,7 +204,7 @@ def zenith_factor(parameters: Mapping[str, Floats], constants: tuple[float, ...]
     return np.asarray(1000 * zenith / (tan_below * (1 + a * up) * (1 + c * halo + e * (cosine * cosine))))
 
 
-# The same in C; 26 numbers stand in it.
+# The same in C; 25 numbers stand in it.
 _ZENITH_FACTOR_C = """\
 const float a = k[0] * turbidity + k[1], b = k[2] * turbidity + k[3], c = k[4] * turbidity + k[5];
 const float d = k[6] * turbidity + k[7], e = k[8] * turbidity + k[9];
