@@ -13,6 +13,7 @@ from scipy import integrate
 
 from golden.oracles import basis, degrees, gauss, towards
 from pipeline import probe
+from pipeline.light import CieTraditional
 from pipeline.probe import charts, files, layouts
 from pipeline.report import panorama
 
@@ -162,3 +163,14 @@ def test_panoramas_are_tone_mapped_as_stated() -> None:
     view = panorama.directions()
     assert view.shape == (90, 180, 3)
     assert view[10, 45] == pytest.approx(towards(math.radians(21.0), math.radians(-89.0)), abs=1e-14)
+
+
+def test_a_rendered_texel_is_a_mean_over_its_solid_angle() -> None:
+    """Moon and Spencer's sky, (1 + 2 z) / 3: the mean of z over a belt is the mean of its edges' sines (Archimedes)."""
+    at = {"sun_zenith": np.array([0.3])}
+    image = probe.render(CieTraditional(sky="overcast"), at, "equirect", 15, 30)[..., 0]
+    sines = np.sin(np.linspace(math.pi / 2, -math.pi / 2, 16))
+    # The horizon runs through the eighth row, whose lower half is black.
+    top, bottom = np.maximum(sines[:-1], 0), np.maximum(sines[1:], 0)
+    means = np.where(top > bottom, (1 + top + bottom) / 3 * (top - bottom), 0.0) / (sines[:-1] - sines[1:])
+    assert image == pytest.approx(np.broadcast_to(means[:, np.newaxis], image.shape), abs=2e-5)
