@@ -37,7 +37,9 @@ def references_csv(material: Material) -> bytes:
 
     Raw monomials are so ill-conditioned that these hang on the last bits of the machine that fitted them.
     """
-    return _csv(frame(material, material.references, sweep=False))
+    made = frame(material, material.references, sweep=False)
+    made["note"] = "of the machine that fitted it: ill-conditioned, another one's last bits give other figures"
+    return _csv(made)
 
 
 def _csv(made: pd.DataFrame) -> bytes:
