@@ -69,6 +69,10 @@ class LightError(ValueError):
     """A light's radiance, or what it tells about itself, makes no sense; the text says where."""
 
 
+class RadianceError(LightError):
+    """A light's radiance raised something; the text names light, parameters and remedy."""
+
+
 class Light(Protocol):
     """A parametric light on the upper hemisphere; the lower one is black."""
 

@@ -1,7 +1,7 @@
 """Where tasks run: Dask threads, Dask processes, or a Dask cluster by its address.
 
-A worker in another process is believed only where its fingerprint is this process's: a cluster's workers are asked before the
-first task, and every worker asks itself before each task, since workers come and go.
+A worker in another process is believed only where its fingerprint is this process's: a cluster's workers are asked before
+the first task, and every worker asks itself before each task, since workers come and go.
 """
 
 from __future__ import annotations
@@ -132,9 +132,7 @@ def _ask(client: Any, used: tuple[str, ...], expected: Fingerprint) -> None:
     """Ask every worker of a cluster for its fingerprint. Raises WorkerError, naming one that has another or none."""
     for worker, found in client.run(fingerprint, used, on_error="return").items():
         if isinstance(found, Exception):
-            unknown = isinstance(found, ImportError | AttributeError)
-            why = "has no skylight-sh, or another one" if unknown else "cannot say what it runs"
-            raise WorkerError(f"The worker {worker} {why} ({_said(found)}). {_REMEDY}.")
+            raise WorkerError(f"The worker {worker} has no skylight-sh, or another one ({_said(found)}). {_REMEDY}.")
         _compare(worker, found, expected)
 
 
@@ -185,7 +183,9 @@ def _name(address: str) -> str:
 def _said(error: Exception) -> str:
     """Return an error in one line; Dask's have a traceback below."""
     lines = str(error).strip().splitlines() or [""]
-    return f"{type(error).__name__}: {lines[0]}".rstrip(".: ")
+    # Dask tells an error in a message it cannot read as a plain Exception with that error's text.
+    kind = "" if type(error) is Exception else f"{type(error).__name__}: "
+    return f"{kind}{lines[0]}".rstrip(".: ")
 
 
 @lru_cache(maxsize=1)

@@ -51,7 +51,11 @@ class Store:
         dataset = hdf5.read(self.path(stage, key), f"{stage}/{key}")
         # Beside the store's own identity stands its maker's: another's, where a dataset was read here and put there.
         told, maker = dataset.attrs, str(dataset.attrs.get("step", stage))
-        facts = {"key": (told.get("key", key), key), "stage": (maker.partition("/")[0], stage), "step": (maker, step or maker)}
+        facts = {
+            "key": (told.get("key", key), key),
+            "stage": (maker.partition("/")[0], stage),
+            "step": (maker, step or maker),
+        }
         for name, (found, asked) in facts.items():
             if str(found) != asked:
                 wrong = f"{self.path(stage, key)} is of the {name} {found!r}, not {asked!r}"
