@@ -10,9 +10,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 from click.testing import CliRunner
-from conftest import SMALL, run_quietly
+from conftest import run_quietly
 from numpy.typing import NDArray
 
+from pipeline import runtime
 from pipeline.cli import main
 from pipeline.config import load
 from pipeline.fit.errors import Reference
@@ -20,7 +21,9 @@ from pipeline.light import (
     BlackBox,
     CieGeneral,
     CieTraditional,
+    Domain,
     Fixed,
+    Hints,
     Light,
     LightError,
     Luminance,
@@ -28,7 +31,9 @@ from pipeline.light import (
     Perez,
     Plugin,
     Preetham,
+    installed,
 )
+from pipeline.run.runner import Result
 from pipeline.table import believable
 from pipeline.table.measure import measure
 from pipeline.truth.vet import vet
@@ -322,8 +327,6 @@ def test_the_same_light_in_its_right_mind_goes_all_the_way(tmp_path: Path) -> No
 
 
 def test_a_changed_package_changes_the_light_s_version(package: Path) -> None:
-    from pipeline.light import installed
-
     before = Plugin("nonsense", {"kind": "sound"}).version
     assert before.startswith("nonsense-lights 1.0 code ")
     (package / "nonsense_lights.py").write_text(PACKAGE + "\n", encoding="utf-8")
@@ -370,8 +373,6 @@ class Plain:
     title, version, channels, luminance_row = "plain", "", ("value",), np.ones(1)
 
     def __init__(self, share: float) -> None:
-        from pipeline.light import Domain, Hints
-
         self.share, self.hints, self.domains = share, Hints(), {"level": Domain(0.0, 1.0, "1", "a share")}
 
     def radiance(self, directions: Array, parameters: dict[str, Array]) -> Array:
@@ -411,16 +412,10 @@ def test_an_error_that_is_none_is_refused(value: float) -> None:
 
 
 @pytest.mark.parametrize(("least", "mean"), [(-1.0, -5.0), (0.0, 0.0), (0.0, np.nan)])
-def test_a_table_of_no_light_is_not_measured(tmp_path: Path, least: float, mean: float) -> None:
-    from pipeline import runtime
-
-    path = tmp_path / "small.toml"
-    text = SMALL.read_text(encoding="utf-8")
-    cut = text[: text.index("[[winners]]\nbands = 4")] + text[text.index("[[winners]]\nbands = 3") :]
-    path.write_text(cut.replace("4-bands-1pct", "3-bands-degrees-6-4-float64"), encoding="utf-8")
-    result = run_quietly(load(path), tmp_path)
-    table = runtime.load(result.folder / "export" / "skylight_sh.npz").table
-    weights = np.ones((1, len(table.channels), 6))
-    reference = Reference(np.array([[0.5, 3.0]]), weights, np.array([0, 1, 1, 2, 2, 2]), np.array([least]), np.array([mean]))
+def test_a_table_of_no_light_is_not_measured(small_run: Result, least: float, mean: float) -> None:
+    table = runtime.load(small_run.folder / "export" / "skylight_sh.npz").table
+    degrees = np.array([0, 1, 1, 2, 2, 2, 3, 3, 3, 3])
+    weights = np.ones((1, len(table.channels), degrees.size))
+    reference = Reference(np.array([[0.5, 3.0]]), weights, degrees, np.array([least]), np.array([mean]))
     with pytest.raises(LightError, match="relative to the mean luminance"):
         measure(table, reference)

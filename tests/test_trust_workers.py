@@ -178,7 +178,6 @@ def refuse(item: int) -> int:
 
 
 def test_what_a_task_raises_comes_back_as_it_is() -> None:
-    assert map_tasks(refuse, [1, 3], executor="processes", workers=1, advance=lambda *_: None) == [-1, -3]
     with pytest.raises(LightError) as caught:
         map_tasks(refuse, [1, 2, 3], executor="processes", workers=1, advance=lambda *_: None)
     # The worker's traceback is a note, which only a traceback shows.
