@@ -46,13 +46,14 @@ class _Group(click.Group):
         except (BadInputError, OSError) as error:
             click.echo(f"Error: {error}", err=True)
             ctx.exit(2 if isinstance(error, BadInputError) else 1)
-        except RuntimeError as error:
-            from pipeline.light import MissingExtraError
+        except (RuntimeError, ValueError) as error:
+            from pipeline.light import LightError, MissingExtraError
+            from pipeline.run.executors import WorkerError
 
-            if not isinstance(error, MissingExtraError):
+            if not isinstance(error, LightError | MissingExtraError | WorkerError):
                 raise
             click.echo(f"Error: {error}", err=True)
-            ctx.exit(2)
+            ctx.exit(1 if isinstance(error, WorkerError) else 2)
 
 
 @click.group(cls=_Group)
@@ -149,7 +150,7 @@ def show(key: str, store: Path) -> None:
 @artifacts.command("verify")
 @_STORE
 def verify_artifacts(store: Path) -> None:
-    """Check every artifact against its checksum; exit 1 where one fails."""
+    """Check every artifact's checksum, and that it is what its name says; exit 1 where one fails."""
     from pipeline.store.hdf5 import CorruptArtifactError
     from pipeline.store.store import Store
 

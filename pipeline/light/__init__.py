@@ -9,7 +9,7 @@ from pipeline.light.mitsuba_sunsky import MitsubaSunsky
 from pipeline.light.perez import Perez
 from pipeline.light.plugin import Plugin
 from pipeline.light.preetham import Preetham
-from pipeline.light.protocol import Domain, Hints, Light, MissingExtraError, Prefactor
+from pipeline.light.protocol import Domain, Hints, Light, LightError, MissingExtraError, Prefactor
 
 # A light's dataclass fields are its options in a config's [light] section; ``model`` tells the lights apart.
 LIGHTS = {
@@ -33,6 +33,7 @@ __all__ = [
     "Fixed",
     "Hints",
     "Light",
+    "LightError",
     "Luminance",
     "MissingExtraError",
     "MitsubaSunsky",

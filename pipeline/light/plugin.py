@@ -5,37 +5,45 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
-from importlib.metadata import EntryPoint, entry_points
+from importlib.metadata import EntryPoint
 from typing import ClassVar, Literal
 
 import numpy as np
 
-from pipeline.light.protocol import OPTIONS, Array, Domain, Hints, Light, Parameters
-
-GROUP = "skylight_sh.lights"
-
-
-class _UnfitError(Exception):
-    """A light that does not keep to the protocol; its text says where."""
-
-
-# What another package's code may raise while it is loaded and asked for the first time.
-_WRONG = (ImportError, AttributeError, TypeError, SyntaxError, RuntimeError, LookupError, ArithmeticError, _UnfitError)
+from pipeline.light import claims, installed
+from pipeline.light.protocol import (
+    OPTIONS,
+    Array,
+    Domain,
+    Hints,
+    Light,
+    LightError,
+    MissingExtraError,
+    Parameters,
+    RadianceError,
+)
 
 
 def _check(light: Light) -> None:
-    """Ask a light for everything once. Raises _UnfitError where it does not keep to the protocol."""
-    peak, channels = light.hints.peak_axis, len(light.channels)
-    if not isinstance(light.title, str) or not isinstance(light.version, str):
-        raise _UnfitError("its title and version must be texts")
-    if peak is not None and peak not in light.domains:
-        raise _UnfitError(f"its peak_axis {peak!r} is none of its parameters {', '.join(light.domains)}")
-    if np.shape(light.luminance_row) != (channels,):
-        raise _UnfitError(f"its luminance_row must have one number for each of {channels} channels")
-    middle = {name: np.full((1, 1), (domain.low + domain.high) / 2) for name, domain in light.domains.items()}
-    found = np.asarray(light.radiance(np.array([[[0.6, 0.0, 0.8], [0.0, 0.0, 1.0]]]), middle))
-    if found.shape[-1:] != (channels,) or not np.all(np.isfinite(found)):
-        raise _UnfitError(f"its radiance of shape {found.shape} is not finite with {channels} channels last")
+    """Ask a light for everything once. Raises LightError where it does not keep to the protocol."""
+    channels = len(claims.check(light).channels)
+    middle = {name: np.full((1, 1), _inside(domain)) for name, domain in light.domains.items()}
+    try:
+        with np.errstate(all="ignore"):
+            found = np.asarray(light.radiance(np.array([[[0.6, 0.0, 0.8], [0.0, 0.0, 1.0]]]), middle))
+    except Exception as error:
+        told = f"its radiance raises {type(error).__name__} ({error}) {claims.span(middle)}"
+        raise LightError(told) from error
+    if found.shape[-1:] != (channels,) or found.dtype.kind != "f" or not np.all(np.isfinite(found)):
+        raise LightError(
+            f"its radiance of shape {found.shape} and {found.dtype} is not finite with {channels} channels last"
+        )
+
+
+def _inside(domain: Domain) -> float:
+    """Return a domain's middle, or a finite end."""
+    found = [value for value in ((domain.low + domain.high) / 2, domain.low, domain.high) if np.isfinite(value)]
+    return float(found[0]) if found else 0.0
 
 
 @dataclass(frozen=True)
@@ -55,22 +63,21 @@ class Plugin:
     """A light of another package."""
 
     def __post_init__(self) -> None:
+        # Made at once, so that a config's error is told before anything runs.
+        _ = self._point
         try:
-            # Made at once, so that a config's error is told before anything runs.
-            _ = self._light
             _check(self._light)
-        except _WRONG as error:
-            raise ValueError(
-                f"The light {self.entry!r} cannot be made ({error}). Mend its options or its package"
-            ) from error
+        except Exception as error:
+            told = str(error) if isinstance(error, LightError) else f"{type(error).__name__}: {error}"
+            raise ValueError(f"The light {self.entry!r} cannot be made ({told}). Mend its options or its package") from error
 
     @cached_property
     def _point(self) -> EntryPoint:
-        found = {point.name: point for point in entry_points(group=GROUP)}
+        found = installed.points()
         if self.entry not in found:
             known = ", ".join(sorted(found)) or "none"
             raise ValueError(
-                f"No installed package offers the light {self.entry!r} (entry points of group {GROUP}: {known}). "
+                f"No installed package offers the light {self.entry!r} (entry points of group {installed.GROUP}: {known}). "
                 "Install the package, or use one of these"
             )
         return found[self.entry]
@@ -82,10 +89,8 @@ class Plugin:
 
     @property
     def version(self) -> str:
-        """The package that offers the light, and its version."""
-        package = self._point.dist
-        told = f"{package.name} {package.version}" if package else "unknown"
-        return f"{told} {self._light.version}".rstrip()
+        """The package that offers the light, its version and its code's hash, and what the light itself says."""
+        return f"{installed.identity(self.entry)} {self._light.version}".rstrip()
 
     @property
     def title(self) -> str:
@@ -113,5 +118,13 @@ class Plugin:
         return self._light.hints
 
     def radiance(self, directions: Array, parameters: Parameters) -> Array:
-        """Ask the light."""
-        return self._light.radiance(directions, parameters)
+        """Ask the light. Raises RadianceError where it raises anything, whatever that is."""
+        try:
+            return self._light.radiance(directions, parameters)
+        except (LightError, MissingExtraError):
+            raise
+        except Exception as error:
+            raise RadianceError(
+                f"The radiance of the light {self.entry!r} raises {type(error).__name__} ({error}) "
+                f"{claims.span(parameters)}. Mend its package, or the axes' ranges."
+            ) from error

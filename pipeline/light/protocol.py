@@ -65,6 +65,14 @@ class MissingExtraError(RuntimeError):
     """A light needs a package that is not installed, or not in the version it knows; the text says how to get it."""
 
 
+class LightError(ValueError):
+    """A light's radiance, or what it tells about itself, makes no sense; the text says where."""
+
+
+class RadianceError(LightError):
+    """A light's radiance raised something; the text names light, parameters and remedy."""
+
+
 class Light(Protocol):
     """A parametric light on the upper hemisphere; the lower one is black."""
 

@@ -87,7 +87,8 @@ def execute(
 ) -> tuple[dict[str, Outcome], dict[str, Dataset]]:
     """Make what the store lacks, in the plan's order; return every step's outcome and the artifacts ``wanted`` by name.
 
-    Artifacts are read only where a step needs them. One that is corrupt is made again, with a warning.
+    Artifacts are read only where a step needs them. One that is corrupt, or another than it should be, is made again, with a
+    warning.
     """
     names = keys(plan)
     steps = {step.name: step for step in plan}
@@ -101,7 +102,7 @@ def execute(
         start = time.perf_counter()
         if store.has(step.stage, key):
             try:
-                loaded[name] = store.get(step.stage, key)
+                loaded[name] = store.get(step.stage, key, step.name)
             except hdf5.CorruptArtifactError as error:
                 warn(str(error))
             else:

@@ -12,16 +12,24 @@ import numpy as np
 
 from pipeline.store.dataset import Dataset, Variable, checksum
 
-# 1: first layout.
-SCHEMA_VERSION = 1
+# 1: first layout. 2: what the artifact is (stage and key) and this version are under the checksum.
+SCHEMA_VERSION = 2
 
 
 class CorruptArtifactError(RuntimeError):
-    """An artifact whose content does not match its checksum, or that cannot be read at all."""
+    """An artifact that cannot be read, does not match its checksum, or is another one than its file's name says."""
 
 
-def write(path: Path, dataset: Dataset) -> None:
-    """Publish ``dataset`` at ``path`` atomically: a temporary file beside it, synced, then renamed."""
+def write(path: Path, dataset: Dataset, identity: str = "") -> None:
+    """Publish ``dataset`` at ``path`` atomically: a temporary file beside it, synced, then renamed.
+
+    ``identity`` says which artifact this is; the checksum covers it, and ``read`` asks for it. Raises ValueError where the
+    dataset has an attribute that the file needs itself.
+    """
+    taken = [name for name in (*_FILE_ATTRIBUTES, _CHECKSUM) if name in dataset.attrs]
+    if taken:
+        raise ValueError(f"Invalid attribute {taken[0]!r}. Should have another name: the store writes its own.")
+    sealed = Dataset(dataset.variables, {**dataset.attrs, "artifact": identity, "schema_version": SCHEMA_VERSION})
     path.parent.mkdir(parents=True, exist_ok=True)
     temporary = path.with_name(f".{path.stem}.{uuid.uuid4().hex}.partial")
     try:
@@ -29,10 +37,9 @@ def write(path: Path, dataset: Dataset) -> None:
             for name in sorted(dataset.variables):
                 _write_variable(file, name, dataset.variables[name])
             _attach_scales(file, dataset)
-            for key in sorted(dataset.attrs):
-                file.attrs[key] = dataset.attrs[key]
-            file.attrs["content_sha256"] = checksum(dataset)
-            file.attrs["schema_version"] = SCHEMA_VERSION
+            for key in sorted(sealed.attrs):
+                file.attrs[key] = sealed.attrs[key]
+            file.attrs[_CHECKSUM] = checksum(sealed)
         with open(temporary, "rb+") as written:
             os.fsync(written.fileno())
         os.replace(temporary, path)
@@ -40,8 +47,11 @@ def write(path: Path, dataset: Dataset) -> None:
         temporary.unlink(missing_ok=True)
 
 
-def read(path: Path) -> Dataset:
-    """Read a dataset and check its content. Raises CorruptArtifactError where it does not hold."""
+def read(path: Path, identity: str = "") -> Dataset:
+    """Read a dataset and check its content, and that it is what was written as ``identity``.
+
+    Raises CorruptArtifactError where it does not hold.
+    """
     try:
         with h5py.File(path, "r") as file:
             variables: dict[str, Variable] = {}
@@ -52,15 +62,23 @@ def read(path: Path) -> Dataset:
 
             file.visititems(visit)
             attrs = {key: _plain(value) for key, value in file.attrs.items()}
-        expected = attrs.pop("content_sha256", None)
-        attrs.pop("schema_version", None)
-        dataset = Dataset(variables, attrs)
-        found = checksum(dataset)
+        expected = attrs.pop(_CHECKSUM, None)
+        found = checksum(Dataset(variables, attrs))
+        version, told = (attrs.pop(name, None) for name in ("schema_version", "artifact"))
     except (OSError, KeyError, RuntimeError, ValueError, TypeError) as error:
         raise CorruptArtifactError(f"{path} cannot be read ({error}). Delete it; the next run makes it again.") from error
+    # Before the checksum, which another version may have taken over something else.
+    if str(version) != str(SCHEMA_VERSION):
+        raise CorruptArtifactError(
+            f"{path} has the layout {version!r}, not {SCHEMA_VERSION}. Delete it; the next run makes what it needs."
+        )
     if found != expected:
         raise CorruptArtifactError(f"{path} does not match its checksum. Delete it; the next run makes it again.")
-    return dataset
+    if str(told) != identity:
+        raise CorruptArtifactError(
+            f"{path} holds the artifact {told!r}, not {identity!r}. Delete it; the next run makes it again."
+        )
+    return Dataset(variables, attrs)
 
 
 def attributes(path: Path) -> dict[str, Any]:
@@ -93,6 +111,10 @@ def _attach_scales(file: Any, dataset: Dataset) -> None:
                     file[name].dims[i].attach_scale(file[dim])
 
 
+# Of the file: under the checksum, and the checksum itself.
+_FILE_ATTRIBUTES = ("artifact", "schema_version")
+_CHECKSUM = "content_sha256"
+# Of a variable.
 _OWN_ATTRIBUTES = ("dims", "CLASS", "NAME", "DIMENSION_LIST", "REFERENCE_LIST")
 
 

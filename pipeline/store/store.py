@@ -12,6 +12,7 @@ from typing import Any
 
 from pipeline.store import atomic, hdf5
 from pipeline.store.dataset import Dataset
+from pipeline.store.hdf5 import CorruptArtifactError
 
 _KEY = re.compile(r"[0-9a-f]{64}")
 # A temporary file younger than this may belong to a run under way.
@@ -30,7 +31,7 @@ class Entry:
 
 @dataclass(frozen=True)
 class Store:
-    """A folder of artifacts. Several runs may share it: an artifact is whole or absent."""
+    """A folder of artifacts. Several runs may share it: an artifact is whole or absent, and says itself which it is."""
 
     root: Path
 
@@ -39,20 +40,36 @@ class Store:
         return self.root / stage / f"{key}.h5"
 
     def has(self, stage: str, key: str) -> bool:
-        """Say whether an artifact is there; ``get`` checks its content."""
+        """Say whether an artifact is there; ``get`` checks its content, and that it is the one."""
         return self.path(stage, key).is_file()
 
-    def get(self, stage: str, key: str) -> Dataset:
-        """Read an artifact. Raises CorruptArtifactError where its content does not match its checksum."""
-        return hdf5.read(self.path(stage, key))
+    def get(self, stage: str, key: str, step: str | None = None) -> Dataset:
+        """Read an artifact, of ``step`` if it is given.
+
+        Raises CorruptArtifactError where its content does not match its checksum, or proves to be that of another stage,
+        key or step than the file's name and the caller say.
+        """
+        dataset = hdf5.read(self.path(stage, key), f"{stage}/{key}")
+        # Beside the store's own identity stands its maker's: another's, where a dataset was read here and put there.
+        told, maker = dataset.attrs, str(dataset.attrs.get("step", stage))
+        facts = {
+            "key": (told.get("key", key), key),
+            "stage": (maker.partition("/")[0], stage),
+            "step": (maker, step or maker),
+        }
+        for name, (found, asked) in facts.items():
+            if str(found) != asked:
+                wrong = f"{self.path(stage, key)} is of the {name} {found!r}, not {asked!r}"
+                raise CorruptArtifactError(f"{wrong}. Delete it; the next run makes it again.")
+        return dataset
 
     def attributes(self, stage: str, key: str) -> dict[str, Any]:
         """Return an artifact's attributes alone, unchecked; none where it cannot be read."""
         return hdf5.attributes(self.path(stage, key))
 
     def put(self, stage: str, key: str, dataset: Dataset) -> None:
-        """Publish an artifact atomically."""
-        hdf5.write(self.path(stage, key), dataset)
+        """Publish an artifact atomically, with its stage and key inside."""
+        hdf5.write(self.path(stage, key), dataset, f"{stage}/{key}")
 
     def entries(self) -> list[Entry]:
         """Return all artifacts, by stage and key."""

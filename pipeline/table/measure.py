@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from pipeline import sphere
 from pipeline.fit import peaks
 from pipeline.fit.errors import Reference, by_band, e_means
+from pipeline.table import believable
 from pipeline.table.table import Table, full_weights
 
 Array = NDArray[np.float64]
@@ -34,18 +35,24 @@ class Measured:
 
 
 def measure(table: Table, reference: Reference) -> Measured:
-    """Measure ``table`` against ``reference`` for its first 1, 2, .. bands."""
+    """Measure ``table`` against ``reference`` for its first 1, 2, .. bands.
+
+    Raises LightError where an error would be none: not finite, negative, or relative to no light.
+    """
     use = reference.first_bands(table.bands)
     truth = reference.weights[..., use]
     residual = table.evaluate(reference.parameters).astype(np.float64) - truth
     absolute, root = by_band(residual, reference.degrees[use], table.bands)
     norm = by_band(truth, reference.degrees[use], table.bands)[1]
     l_min = reference.l_min
+    believable.check_scales(l_min, reference.parameters)
     scales = [values[:, np.newaxis, np.newaxis] for values in l_min.values()]
     means = np.stack([root / scale for scale in scales])
+    largest = np.stack([(absolute / scale).max(axis=0) for scale in scales])
+    believable.check_errors({"E_max": largest, "E_mean": means})
     return Measured(
         conventions=tuple(l_min),
-        e_max=np.stack([(absolute / scale).max(axis=0) for scale in scales]),
+        e_max=largest,
         e_mean=means.max(axis=1),
         at=means.argmax(axis=1),
         rel_l2=(root / np.maximum(norm, np.finfo(np.float64).tiny)).max(axis=0),

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pipeline.light.protocol import Light
-from pipeline.truth import least
+from pipeline.truth import least, vet
 from pipeline.truth.rules import RULES
 from pipeline.truth.samples import Samples
 
@@ -39,18 +39,22 @@ def peak_of(light: Light, names: Sequence[str]) -> int | None:
 
 
 def project_block(job: Job) -> Samples:
-    """Integrate a block's SH weights, ``(g, k, channels, count)``. Raises NotConvergedError from an adaptive rule."""
+    """Integrate a block's SH weights, ``(g, k, channels, count)``.
+
+    Raises NotConvergedError from an adaptive rule, LightError where the light turns out not to be one.
+    """
     peak = peak_of(job.light, job.names)
     parameters = {name: job.values[:, :1, i] if i == peak else job.values[..., i] for i, name in enumerate(job.names)}
     rule = RULES[job.rule]
     setting = {"nodes": job.nodes} if rule.ladder else {"tolerance": job.tolerance}
     samples = rule.project(job.light, parameters, bands=job.bands, mirrored=job.mirrored, **setting)
     shape = job.values.shape[:2]
-    if samples.least.shape == shape:
-        return samples
-    # Sets that differ in nothing, since the peak's is the only axis.
-    parts = (samples.weights, samples.least, samples.least_direction, samples.estimate)
-    return Samples(*(np.broadcast_to(part, (*shape, *part.shape[2:])) for part in parts))
+    if samples.least.shape != shape:
+        # Sets that differ in nothing, since the peak's is the only axis.
+        parts = (samples.weights, samples.least, samples.least_direction, samples.estimate)
+        samples = Samples(*(np.broadcast_to(part, (*shape, *part.shape[2:])) for part in parts))
+    vet.check_samples(job.light, {name: job.values[..., i].ravel() for i, name in enumerate(job.names)}, samples)
+    return samples
 
 
 def sample_block(job: Job) -> Samples:

@@ -22,7 +22,7 @@ from pipeline.run.stages.axes import (
     verification_nodes,
 )
 from pipeline.store.dataset import Dataset, Variable
-from pipeline.truth import converge, sampling
+from pipeline.truth import converge, sampling, vet
 from pipeline.truth import sets as parameter_sets
 from pipeline.truth.rules import suited
 from pipeline.truth.samples import Samples
@@ -81,6 +81,7 @@ def steps(config: Config) -> list[Step]:
 def _make_rule(config: Config, _: Inputs, __: Advance) -> Dataset:
     light, truth = config.source, config.truth
     ranges = {axis.name: axis.range for axis in config.axes}
+    vet.vet(light, ranges)
     # A claim is spot-checked; a light that claims nothing is looked at closely.
     symmetric = converge.is_mirrored(light, ranges, samples=512 if light.hints.mirrored else 20_000)
     mirrored = symmetric and truth.orders == "auto"
