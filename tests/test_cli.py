@@ -115,7 +115,7 @@ def test_artifacts_commands(tmp_path: Path) -> None:
     broken.write_bytes(broken.read_bytes()[:-200])
     code, out, err = invoke("artifacts", "verify", *store)
     assert code == 1
-    assert out == "7 of 8 artifacts hold.\n"
+    assert out == "9 of 10 artifacts hold.\n"
     assert str(broken) in err
     assert invoke("artifacts", "show", broken.stem, *store)[0] == 1
 

@@ -136,8 +136,9 @@ def test_held_out_sets_are_read_by_the_measurement_alone() -> None:
 SCENES = {
     "plain": "",
     "twilight": "twilight = true",
-    "surroundings": 'horizon = [0.1, 0.4, 0.2]\nground = [0.2, 0.3, 0.1]\nlights = [{ kind = "point", centre = [1.0, 2.0, 3.0], '
-    "intensity = [100.0, 50.0, 20.0] }]",
+    "surroundings": """horizon = [0.1, 0.4, 0.2]
+ground = [0.2, 0.3, 0.1]
+lights = [{ kind = "point", centre = [1.0, 2.0, 3.0], intensity = [100.0, 50.0, 20.0] }]""",
 }
 
 
