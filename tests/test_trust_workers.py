@@ -139,6 +139,23 @@ def test_a_wrong_worker_is_refused_by_name(places: dict[str, Place], name: str, 
     assert time.monotonic() - began < 20
 
 
+def test_a_worker_that_began_with_other_code_goes_on_with_it(places: dict[str, Place]) -> None:
+    def ask() -> str:
+        with pytest.raises(WorkerError, match="the code of skylight-sh") as caught:
+            map_tasks(abs, [-1], executor=places["other_code"].scheduler, workers=0, advance=lambda *_: None)
+        return str(caught.value)
+
+    before = ask()
+    source = places["other_code"].folder / "pipeline" / "light" / "preetham.py"
+    other = source.read_bytes()
+    # Its files are now as here; what it has loaded is not.
+    shutil.copy(ROOT / "pipeline" / "light" / "preetham.py", source)
+    try:
+        assert ask() == before
+    finally:
+        source.write_bytes(other)
+
+
 @pytest.mark.parametrize("name", ["other_code", "no_package"])
 def test_a_worker_that_comes_later_is_refused_as_well(places: dict[str, Place], name: str) -> None:
     caught: list[BaseException] = []
