@@ -50,9 +50,8 @@ def other_numpy(folder: Path) -> None:
 
 
 def no_package(folder: Path) -> None:
-    """Somebody else's package of that name."""
-    (folder / "pipeline").mkdir()
-    (folder / "pipeline" / "__init__.py").touch()
+    """Somebody else's module of that name: a package of theirs would be filled up by an editable installation of ours."""
+    (folder / "pipeline.py").touch()
 
 
 def other_light(folder: Path) -> None:
