@@ -12,11 +12,13 @@ import numpy as np
 import pytest
 
 from pipeline import runtime
-from pipeline.export import c_comment, c_header, day, npz, sun
+from pipeline.export import c_comment, c_header, day, npz, shaders, sun
 from pipeline.export.shader_dialects import DIALECTS, GLSL, expression
+from pipeline.fit.axes import Axis
 from pipeline.stability.flavours import flavours
 from pipeline.table import twilight
 from pipeline.table.factor import ClosedForm
+from pipeline.table.table import Frame, fast
 
 FLAVOURS = flavours()
 
@@ -121,3 +123,13 @@ def test_c_becomes_shader_text() -> None:
     assert GLSL.constants("real", "a", ["1.0", "2.0", "3.0"], 2) == (
         "const float a[3] = float[3](\n    1.0, 2.0,\n    3.0\n);"
     )
+
+
+def test_a_shaders_slack_is_a_millionth_of_the_range_or_of_one() -> None:
+    for high, limits in ((0.25, "haze < -1e-06 || haze > 0.250001"), (4.0, "haze < -4e-06 || haze > 4.000004")):
+        frame = Frame((Axis("haze", 0.0, high),), ("one",), True, "chebyshev", None)
+        table = fast(frame, np.ones((1, 1, 2)), np.array(2), 1, "float32")
+        text = shaders.write(table, c_header.Facts("t", 0.0, 0.0, "per-set", []), "glsl")
+        found = re.findall(r"if \(haze < (\S+) \|\| haze > (\S+)\)", text)
+        expected = re.findall(r"haze < (\S+) \|\| haze > (\S+)", limits)
+        assert [float(v) for v in found[0]] == pytest.approx([float(v) for v in expected[0]], rel=2e-7, abs=1e-13)

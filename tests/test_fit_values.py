@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from pipeline.fit import errors, search
+from pipeline.fit import errors, search, sweep
 from pipeline.fit.axes import Axis
 from pipeline.fit.fewest import fewest
 from pipeline.fit.maps import MAPS
@@ -80,6 +80,21 @@ def test_errors_are_those_of_the_papers_equations() -> None:
     assert root == pytest.approx(np.sqrt([[[1.0, 9.0, 42.0]], [[0.25, 0.25, 1.25]]]))
     assert errors.e_mean(residual, reference.headline) == pytest.approx(np.sqrt(42.0) / 2.0)
     assert errors.e_mean(residual[1:], reference.headline[1:]) == pytest.approx(np.sqrt(1.25) / 0.5)
+
+
+@pytest.mark.parametrize("worst", [0, 255, 256, 299])
+def test_a_sweep_sees_every_set(worst: int) -> None:
+    """A constant 1 fits all sets but one, whichever of the blocks it is in."""
+    weights = np.ones((300, 1, 1))
+    weights[worst] = 3.0
+    one = np.ones(300)
+    reference = errors.Reference(np.zeros((300, 1)), weights, np.zeros(1, dtype=np.int64), 0.5 * one, one)
+    found = sweep.sweep(np.array([[[1.0, 0.0]]]), [np.ones((300, 2))], one, reference, [range(2)], 1)
+    assert found.degrees == [(0,), (1,)]
+    for row in range(2):
+        assert found.at["per-set"][row].tolist() == [[worst]]
+        assert found.e_mean["per-set"][row].tolist() == found.e_max["global"][row].tolist() == [[4.0]]
+        assert found.rel_l2[row].tolist() == [[pytest.approx(2.0 / 3.0)]]
 
 
 def test_importance_moves_in_proportion_to_the_errors() -> None:

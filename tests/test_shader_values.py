@@ -13,6 +13,9 @@ from test_shaders import MADE, Array, Floats, directions, drawn, lobe, tables
 
 from pipeline import runtime, sphere
 from pipeline.export import shaders
+from pipeline.fit.axes import Axis
+from pipeline.fit.bases import BASES
+from pipeline.table.table import Frame, fast
 
 TYPES = """
 #include <algorithm>
@@ -97,6 +100,25 @@ def test_shaders_compiled_as_cpp_agree_with_the_runtime(tmp_path: Path, name: st
     values = got[..., : len(table.channels)].swapaxes(1, 2)
     assert values.shape == expected.shape
     assert np.abs(values - expected).max() < 1e-5 * np.abs(weights).max()
+
+
+@pytest.mark.parametrize("name", BASES)
+def test_bases_are_those_of_numpy(tmp_path: Path, name: str) -> None:
+    u = np.array([-1.0, -0.75, -0.125, 0.0, 0.3125, 0.875, 1.0])
+    waves = [np.ones_like(u)] + [f(k * np.pi * u) for k in range(1, 5) for f in (np.cos, np.sin)]
+    expected = {
+        "chebyshev": np.polynomial.chebyshev.chebvander(u, 8),
+        "legendre": np.polynomial.legendre.legvander(u, 8),
+        "monomial": np.vander(u, 9, increasing=True),
+        "fourier": np.stack(waves[:9], axis=-1),
+    }[name]
+    numbers = 1.5 ** -np.arange(9)
+    frame = Frame((Axis("haze", -1.0, 1.0),), ("one",), True, name, None)
+    table = fast(frame, numbers[np.newaxis, np.newaxis], np.array(9), 1, "float32")
+    inputs = np.stack([u, np.zeros_like(u)], axis=-1).astype(np.float32)
+    for language in HEADS:
+        got = image(shader_tools.program(table, language, inputs, directions()), tmp_path)
+        assert got[:, 0, 0] == pytest.approx(expected @ numbers, abs=2e-6)
 
 
 def test_waves_are_cosine_and_sine_to_the_last_bits(tmp_path: Path) -> None:

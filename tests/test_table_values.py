@@ -61,6 +61,20 @@ def test_diffuse_irradiance_has_no_odd_bands_but_the_first() -> None:
     assert carried("radiance", 4) == (0, 1, 2, 3)
 
 
+def test_bands_that_carry_nothing_are_zero() -> None:
+    table = fast(
+        Frame((ZENITH,), ("a",), True, "chebyshev", None, quantity="irradiance"),
+        np.ones((1, 10, 2)),
+        np.array(2),
+        4,
+        "float32",
+    )
+    found = table.evaluate(np.array([[0.3]]))[0, 0]
+    assert found[:6].all()
+    assert found[6:].tolist() == [0.0] * 4
+    assert table.coefficients == 2 * 6
+
+
 def test_rows_hold_the_terms_in_order() -> None:
     assert rows.terms(np.array([3, 0, 1])).tolist() == [0, 3, 6, 2]
     assert rows.used_degrees(np.array([3, 2, 0]), [9, 2]) == (2, 1)
@@ -119,6 +133,9 @@ def test_limits_leave_a_millionth() -> None:
     clamped, outside = table.clamp(np.stack([np.full(6, 0.5), values], axis=-1))
     assert outside.tolist() == [False, False, True, False, True, False]
     assert clamped[:5, 1].tolist() == [1.0, 1.0, 1.0, 3.0, 3.0]
+    # The slack's own ends are inside.
+    ends = np.array([[0.5, 1.0 - 1e-6 * 2.0], [0.5, 3.0 + 1e-6 * 2.0]])
+    assert table.clamp(ends)[1].tolist() == [False, False]
     # A range narrower than 1 has the slack of 1.
     narrow = fast(
         Frame((Axis("a", 0.0, 0.25),), ("one",), True, "chebyshev", None), np.ones((1, 1, 2)), np.array(2), 1, "float32"
@@ -198,6 +215,21 @@ def test_a_packed_table_holds_the_largest_numbers_and_runs() -> None:
     assert packed.unpack(packed.pack(ones, degrees)).ravel().tolist() == [1] * 31
     with pytest.raises(ValueError, match="at most 31 terms"):
         packed.pack(np.ones((1, 1, 32, 1), dtype=np.int64), degrees)
+
+
+def test_packing_takes_no_more_bytes_than_it_took() -> None:
+    """Twelve tables of numbers that fall off with degree and powers, of channels alike and unlike: 7,333 bytes in all."""
+    total = 0
+    for seed in (1, 2):
+        for bands in (4, 7):
+            degrees = sphere.degrees_orders(bands, mirrored=True)[0]
+            for channels in ((1.0, 0.2, 3.0), (1.0, 1.0, 1.0), (0.01, 1.0, 30.0)):
+                size = 3000.0 * np.reshape(channels, (3, 1, 1)) * 0.3 ** np.arange(7)[:, np.newaxis] * 0.15 ** np.arange(4)
+                drawn = np.random.default_rng(seed).normal(size=(degrees.size, 3, 7, 4))
+                numbers = np.rint(drawn * size * 0.5 ** degrees.reshape(-1, 1, 1, 1)).astype(np.int64)
+                total += packed.cost(numbers, degrees)
+    # Another CPU's logarithms may tip an entry.
+    assert total <= 7340
 
 
 def test_lights_add_to_what_clouds_shine() -> None:

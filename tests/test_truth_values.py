@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import tracemalloc
 from collections.abc import Callable, Mapping
 
 import numpy as np
@@ -132,6 +133,17 @@ def test_a_constant_sky_has_the_weights_of_half_a_sphere(rule: Callable[..., Sam
     assert np.abs(got.weights - expected).max() < 1e-12
     assert got.least.tolist() == [[1.0] * 3] * 2
     assert np.isnan(got.estimate).all()
+
+
+def test_plain_nodes_are_summed_in_blocks_of_bounded_memory() -> None:
+    """The basis of a block is 64 MB; with what makes it, three times as much, whatever the number of nodes."""
+    light = Preetham()
+    parameters = {"sun_zenith": np.array([[0.3]]), "turbidity": np.array([[3.0]])}
+    tracemalloc.start()
+    fixed.project_zenith(light, parameters, nodes=160, bands=24, mirrored=False)
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert peak < 250e6
 
 
 def test_ladders_start_where_the_bands_ask() -> None:
