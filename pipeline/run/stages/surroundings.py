@@ -14,12 +14,16 @@ from pipeline.config.schema import Config
 from pipeline.config.surroundings import LightSection, ProbeLight, weights
 from pipeline.light import spherical
 from pipeline.probe import files
+from pipeline.reproducible import to_grid
 from pipeline.run.executors import Advance
 from pipeline.run.plan import Inputs, Step
 from pipeline.store.dataset import Dataset, Variable
 from pipeline.table.surroundings import MOST_BANDS, PARTS, build, mask_bands
 
 Array = NDArray[np.float64]
+
+# Of the largest number of a part, as in single precision: finer ones would be the last bits of who computed them.
+_GRID_BITS = 24
 
 _CODE = (
     "reproducible.py",
@@ -70,7 +74,7 @@ def _make(config: Config, _: Inputs, advance: Advance) -> Dataset:
             lights=lights[..., : bands * bands],
         )
         for part in PARTS:
-            array = getattr(built, part)
+            array = to_grid(getattr(built, part), _GRID_BITS)
             dims = tuple(f"{part}_{bands}_{axis}" for axis in range(array.ndim))
             found[f"{part}/{bands}"] = Variable(dims, array)
     return Dataset(found, {})
