@@ -103,6 +103,7 @@ def _here(
 
 def _on_cluster(function: Callable[[Item], Result], items: Sequence[Item], address: str, advance: Advance) -> list[Result]:
     from distributed import Client, as_completed
+    from distributed.protocol import pickle
     from distributed.versions import VersionMismatchWarning
 
     used = in_use()
@@ -113,7 +114,9 @@ def _on_cluster(function: Callable[[Item], Result], items: Sequence[Item], addre
         client = Client(address, timeout="10s", set_as_default=False)
     with client, client.as_current():
         _ask(client, used, expected)
-        futures = client.map(partial(_on_worker, function, used, expected, address), list(items), pure=False)
+        # Bytes that any worker can receive, and that do the task where they are read.
+        calls = [pickle.dumps(_Call((function, used, expected, address, item))) for item in items]
+        futures = client.map(pickle.loads, calls, pure=False)
         results = {}
         try:
             for done, (future, answer) in enumerate(as_completed(futures, with_results=True), start=1):
@@ -126,6 +129,20 @@ def _on_cluster(function: Callable[[Item], Result], items: Sequence[Item], addre
             _ask(client, used, expected)
             raise WorkerError(f"The cluster {address} cannot do a task: {_said(error)}. {_REMEDY}.") from error
         return [results[future.key] for future in futures]
+
+
+@dataclass(frozen=True)
+class _Call:
+    """Arguments of ``_on_worker``; reading its pickle calls that.
+
+    A task itself that a worker cannot read, having no such package, ends Dask's worker before it can say why, and the task
+    waits for another one for ever.
+    """
+
+    arguments: tuple[Any, ...]
+
+    def __reduce__(self) -> tuple[Callable[..., _Answer], tuple[Any, ...]]:
+        return _on_worker, self.arguments
 
 
 def _ask(client: Any, used: tuple[str, ...], expected: Fingerprint) -> None:
