@@ -17,7 +17,7 @@ from pipeline.truth.samples import Samples, keep_least
 
 Array = NDArray[np.float64]
 
-# Floats held at once by the basis and by the radiance of one block of nodes (64 MB).
+# Floats of the basis and of the radiance of one block of nodes (64 MB); what a light holds on its way comes on top.
 _BLOCK = 8_000_000
 
 
