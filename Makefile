@@ -3,7 +3,7 @@ CONFIG ?= configs/preetham.toml
 PYTHON ?= python3
 RUN := .venv/bin/python -m pipeline
 
-.PHONY: help fit test conformance bench stability fuzz verify machines noise mutants lint reference clean
+.PHONY: help fit test conformance bench speed stability fuzz verify machines noise mutants lint reference clean
 
 help: ## List the targets
 	@grep -E '^[a-z]+:.*## ' Makefile | sed -E 's/^([a-z]+):.*## /\1: /' | column -t -s ':' || true
@@ -41,12 +41,18 @@ mutants: .venv/dev.stamp ## Change numbers, signs and comparisons of the numeric
 lint: .venv/dev.stamp ## Check style and types
 	@.venv/bin/ruff check . && .venv/bin/ruff format --check . && .venv/bin/mypy
 
-reference: .venv/dev.stamp ## Release the default config's result, and a picture of a scene, into reports/reference
+reference: .venv/dev.stamp ## Release the default config's result, a picture of a scene and what the README claims into reports/reference
 	@$(RUN) run configs/preetham.toml
 	@$(RUN) run configs/valley.toml >/dev/null
-	@rm -rf reports/reference && mkdir reports/reference
+	@mkdir -p reports/reference && find reports/reference -mindepth 1 ! -name speed.json -delete
 	@cd reports/preetham && cp -r export figures errors.csv summary.json SHA256SUMS index.html ../reference/
 	@cp reports/valley/figures/surroundings.png reports/reference/valley.png
+	@.venv/bin/python -m pipeline.claims measure
+	@.venv/bin/python -m pipeline.claims write
+
+speed: .venv/run.stamp ## Release what `make bench` has measured of the default config, and write the README's figures
+	@.venv/bin/python -m pipeline.claims speed reports/preetham/bench
+	@.venv/bin/python -m pipeline.claims write
 
 clean: ## Delete the environment, the store and all runs but the reference
 	rm -rf .venv artifacts build *.egg-info .mypy_cache .ruff_cache .hypothesis

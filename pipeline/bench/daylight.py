@@ -1,4 +1,4 @@
-"""Is a clear day as bright as one? Lux on the horizontal from sky and sun, beside published values."""
+"""How bright is a clear day? Lux on the horizontal from sky and sun, each beside published values."""
 
 from __future__ import annotations
 
@@ -9,9 +9,11 @@ from pipeline.truth import daylight
 
 TEXT = (
     "Illuminance in lux on the horizontal: the Preetham sky, its sun's disc, and both, beside IES RP-21 (1984) for a clear "
-    f"day, a regression over measurements without turbidity. Above the atmosphere the sun gives {daylight.SOLAR:,.0f} lx."
+    "day, a regression over measurements without turbidity. Where both agree, two errors cancel: the sky alone is about "
+    "twice as bright, its sun dimmer; on the horizon the sky is 8 to 19 times too bright. Above the atmosphere the sun "
+    f"gives {daylight.SOLAR:,.0f} lx."
 )
-_HEIGHTS = (5, 15, 30, 50, 70, 90)
+_HEIGHTS = (0, 5, 15, 30, 50, 70, 90)
 _TURBIDITIES = (2.0, 2.5, 3.0, 4.0)
 
 

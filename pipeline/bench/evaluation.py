@@ -31,10 +31,10 @@ Array = NDArray[np.float64]
 LITERAL = "paper-literal"
 TEXT = (
     "One call: inputs to all weights, azimuth rotation included, float inputs, cc -O3 (`native`: and -march=native), "
-    "median over rounds that time every program in turn. `cold` is one call after 64 MB of other memory was read, "
-    "since a frame asks once. `paper-literal` is the 2008 scheme: monomials of degree (13, 7) in double precision, "
-    "all orders. `lookup` is a table over a regular grid of the axes, interpolated linearly or cubically: the paper's "
-    "naive tabulation. E_mean is of what the program returns."
+    "median over rounds that time every program in turn, with the least and the most of the rounds' ratios. `cold` is one "
+    "call after 64 MB of other memory was read, since a frame asks once. `paper-literal` is the 2008 scheme: monomials of "
+    "degree (13, 7) in double precision, all orders. `lookup` is a table over a regular grid of the axes, interpolated "
+    "linearly or cubically: the paper's naive tabulation. E_mean is of what the program returns."
 )
 _FLAGS = {"portable": ["-O3"], "native": ["-O3", "-march=native"]}
 _CALLS = 50_000
@@ -129,11 +129,11 @@ def section(samples: Samples, tables: Mapping[str, Table], repeats: int) -> Sect
             "bytes": candidate.bytes,
             "E_mean": errors[name],
             "ns": 1e9 * statistics.median(warm["portable", name]),
-            "times faster": _ratio(warm["portable", LITERAL], warm["portable", name]),
+            **_ratios("times faster", warm["portable", LITERAL], warm["portable", name]),
             "native ns": 1e9 * statistics.median(warm["native", name]),
-            "native times faster": _ratio(warm["native", LITERAL], warm["native", name]),
+            **_ratios("native times faster", warm["native", LITERAL], warm["native", name]),
             "cold ns": 1e9 * statistics.median(cold[name]),
-            "cold times faster": _ratio(cold[LITERAL], cold[name]),
+            **_ratios("cold times faster", cold[LITERAL], cold[name]),
         }
         for name, candidate in candidates.items()
     ]
@@ -147,9 +147,10 @@ def program_of(axes: Sequence[tuple[str, float, float]], fixed_azimuth: bool) ->
     return _PROGRAM.format(calls=_CALLS, cold=_COLD, arguments=arguments)
 
 
-def _ratio(base: Sequence[float], other: Sequence[float]) -> float:
-    """Median of the ratios round by round: a machine that slows down slows both."""
-    return statistics.median(b / o for b, o in zip(base, other, strict=True))
+def _ratios(name: str, base: Sequence[float], other: Sequence[float]) -> dict[str, float]:
+    """Median, least and most of the ratios round by round: a machine that slows down slows both."""
+    found = [b / o for b, o in zip(base, other, strict=True)]
+    return {name: statistics.median(found), f"{name}, least": min(found), f"{name}, most": max(found)}
 
 
 def literal(samples: Samples) -> Candidate:

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
-from pipeline.bench import batch, daylight, discs, evaluation, fits, growth, page, profiles, rules
+from pipeline.bench import batch, daylight, discs, evaluation, fits, growth, page, profiles, rules, speed
 from pipeline.bench.exported import exported
 from pipeline.bench.samples import sample
 from pipeline.config.schema import Config
@@ -19,14 +19,23 @@ LEAD = (
 
 
 def run(config: Config, reports: Path, repeats: int, advance: Callable[[int, int], None]) -> str:
-    """Measure everything, publish ``reports/<name>/bench/`` and return all rows as text; the run must exist."""
+    """Measure everything, publish ``reports/<name>/bench/`` and return all rows as text; the run must exist.
+
+    The figures of speed are also in its ``speed.json``.
+    """
     folder = reports / config.name
     tables, _ = exported(folder)
     samples = sample(config, max(_BANDS, *(t.bands for t in tables.values())), like=tables[config.export.recommended])
+
+    def timed() -> page.Section:
+        section = evaluation.section(samples, tables, repeats)
+        speed.save(folder / "bench", section, tables, repeats)
+        return section
+
     sections = (
         partial(rules.section, config, repeats),
         partial(fits.section, samples, repeats),
-        partial(evaluation.section, samples, tables, repeats),
+        timed,
         partial(batch.section, tables, repeats),
         partial(discs.section, repeats),
         daylight.section,

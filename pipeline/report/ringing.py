@@ -1,4 +1,7 @@
-"""How much an expansion rings: with each window and each ground, for each number of bands."""
+"""How much an expansion rings: with each window and each ground, for each number of bands.
+
+Undershoot is measured everywhere here as a share of the brightest value of the same sky itself, not of its expansion.
+"""
 
 from __future__ import annotations
 
@@ -56,7 +59,7 @@ GROUNDS = {
 
 @dataclass(frozen=True)
 class Ringing:
-    """Figures over all sets, each ``(grounds, windows, bands)``: fractions of each set's brightest sky, or of the sphere.
+    """Figures over all sets, ``(grounds, windows, bands)``: fractions of each sky's own brightest value, or of the sphere.
 
     ``undershoot`` and ``overshoot`` are the largest of all sets: below 0, and above the scene itself; ``area`` is the
     largest part of the sphere that is negative, ``peak`` the brightest value's change, mean over sets, negative where the
@@ -107,12 +110,15 @@ def study(material: Material) -> Study | None:
 
 
 def csv(study: Study, names: Sequence[str]) -> bytes:
-    """Return one row a ground, window and number of bands: fractions, and the worst set on the axes ``names``."""
+    """Return one row a ground, window and number of bands: fractions, and the worst set on the axes ``names``.
+
+    Undershoot and overshoot are shares of the brightest value of the same set's sky, as the columns' names say.
+    """
     found = study.found
     index = pd.MultiIndex.from_product((GROUNDS, found.windows, found.bands), names=("ground", "window", "bands"))
     columns = {
-        "undershoot": found.undershoot,
-        "overshoot": found.overshoot,
+        "undershoot_of_the_skys_brightest": found.undershoot,
+        "overshoot_of_the_skys_brightest": found.overshoot,
         "negative_area": found.area,
         "peak_change": found.peak,
         **{f"{name}_at_undershoot": study.sets[found.worst][..., i] for i, name in enumerate(names)},

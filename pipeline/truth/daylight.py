@@ -1,4 +1,9 @@
-"""A clear day in lux: what the Preetham sky and its sun send onto the horizontal, and what was published for clear days."""
+"""A clear day in lux: what the Preetham sky and its sun send onto the horizontal, and what was published for clear days.
+
+At a turbidity of 2.5 the two agree in the sum of sky and sun, within 5 to 11 % with the sun 30 degrees high or more, but not
+in its parts: the model's sky is 1.7 to 2.1 times as bright as was published, its sun dimmer. With a low sun the sky
+outweighs: 1.2 times too much light at 15 degrees, 2 times at 5, 13 times on the horizon.
+"""
 
 from __future__ import annotations
 

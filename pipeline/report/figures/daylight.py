@@ -13,10 +13,11 @@ from pipeline.truth import daylight
 
 CAPTION = (
     "Illuminance on the horizontal over the sun's height, at the least, a middle and the largest turbidity: the Preetham "
-    "sky (published constants), its sun's disc behind the air of the same turbidity, and both. Dotted: IES RP-21 (1984) for "
-    f"a clear day, a regression over measurements; dashed: the sun's {daylight.SOLAR / 1000:g} klx above the atmosphere, "
-    "which no clear day can exceed. With twilight: the light on the horizontal as the sun sinks, beside measurements "
-    "without a moon (Seidelmann 1992)."
+    "sky (published constants), its sun's disc behind the air of the same turbidity, and both. Dotted: IES RP-21 (1984) "
+    f"for a clear day, a regression over measurements; dashed: the sun's {daylight.SOLAR / 1000:g} klx above the "
+    "atmosphere, which no clear day can exceed. The sky alone is about twice as bright as published, its sun dimmer: with "
+    "a high sun the two errors cancel in the sum, near the horizon they do not. With twilight: the light on the horizontal "
+    "as the sun sinks, beside measurements without a moon (Seidelmann 1992)."
 )
 
 

@@ -25,7 +25,7 @@ CAPTION = (
     f"of the sky exceeds, as a panorama of {2 * _ROWS} x {_ROWS} texels and back: floats; 8 bits of sRGB, decoded, exposed "
     "for that brightness; the same taken as linear, which lifts the darks and is no radiance any more; and the floats "
     f"behind a Gaussian of {_BLUR:g} degrees. Undershoot: the most negative luminance over the largest of the same "
-    "expansion."
+    "expansion, since what is the picture's own brightest value depends on how it was stored."
 )
 
 
@@ -55,7 +55,7 @@ def draw(material: Material) -> Figure:
     curves.yaxis.set_major_formatter(style.percent_ticks())
     curves.axhline(0.0, color="grey", linewidth=0.6)
     curves.set_xlabel("bands")
-    curves.set_ylabel("undershoot")
+    curves.set_ylabel("undershoot (of the largest of the same expansion)", fontsize=8)
     curves.legend(fontsize=7)
     return figure
 

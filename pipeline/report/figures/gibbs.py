@@ -16,12 +16,13 @@ Array = NDArray[np.float64]
 _TICKS = (-1.0, -0.3, -0.1, -0.03, 0.0, 0.03, 0.1, 0.3, 1.0)
 _SHOWN = ("no window", "zonal sinc (eq. 5)", LEAST)
 CAPTION = (
-    "True luminance expansions cut to so many bands, at evenly spaced sets of parameters, edges included. First row: the "
-    "most negative value of any set and direction; second: the largest part of the sphere that is negative; third: the "
-    "largest excess over the scene itself; fourth: by how much the brightest value differs from the sky's own, mean over "
-    "sets (a smooth expansion cannot hold the sun's halo). The least windows leave no set negative: in radiance, or in "
-    "irradiance. Below: three of the windows, each at its own worst set, in the bands of the recommended table; negative "
-    "light is purple; the scale is logarithmic beyond 3 %. All numbers: ringing.csv."
+    "True luminance expansions cut to so many bands, at evenly spaced sets of parameters, edges included. All values are "
+    "shares of the same sky's own brightest value. First row: the most negative value of any set and direction; second: "
+    "the largest part of the sphere that is negative; third: the largest excess over the scene itself; fourth: by how much "
+    "the brightest value differs from the sky's own, mean over sets (a smooth expansion cannot hold the sun's halo). The "
+    "least windows leave no set negative: in radiance, or in irradiance. Below: three of the windows, each at its own "
+    "worst set, in the bands of the recommended table; negative light is purple; the scale is logarithmic beyond 3 %. All "
+    "numbers: ringing.csv."
 )
 
 
@@ -47,9 +48,9 @@ def draw(material: Material) -> Figure | None:
 def _curves(figure: SubFigure, found: Ringing) -> None:
     room = {"left": 0.085, "right": 0.99, "top": 0.965, "bottom": 0.05, "wspace": 0.04, "hspace": 0.06}
     measures = (
-        (found.undershoot, "largest undershoot\n(of the brightest sky)"),
+        (found.undershoot, "largest undershoot (of the\nsky's own brightest value)"),
         (found.area, "largest negative part\nof the sphere"),
-        (found.overshoot, "largest overshoot\n(of the brightest sky)"),
+        (found.overshoot, "largest overshoot (of the\nsky's own brightest value)"),
         (found.peak, "brightest value\nagainst the sky's"),
     )
     panels = figure.subplots(len(measures), len(GROUNDS), sharex=True, sharey="row", gridspec_kw=room)
@@ -90,7 +91,7 @@ def _panoramas(figure: SubFigure, study: Study, material: Material, bands: int) 
     figure.colorbar(
         image,
         cax=figure.add_axes((0.9, 0.1, 0.015, 0.78)),
-        label="part of the brightest sky",
+        label="share of the sky's own brightest value",
         ticks=_TICKS,
         format=style.percent_ticks(),
     )

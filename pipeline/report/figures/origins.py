@@ -9,12 +9,12 @@ from pipeline.report import style
 from pipeline.report.material import Material
 
 CAPTION = (
-    "The paper's scheme on this run's grid. Left: the same converged weights fitted by raw monomials with three "
-    "solvers, kept in double and in single precision. Middle: the scheme fitted (by SVD) to stratified Monte Carlo "
-    "weights instead of converged ones; its distance from its own samples, which is what an author without a "
-    "converged truth can see, and from the truth. Right: what so few samples leave behind: weights of orders m < 0, "
-    "which symmetry makes zero, and the distance from the truth, as shares of a set's norm (medians); dotted, the "
-    "authors' released table: 1.3 % and 2.65 %."
+    "The paper's scheme on this run's grid. Left: the same converged weights fitted by raw monomials with three solvers, "
+    "kept in double and in single precision; what the normal equations leave is rounding noise, this machine's: another "
+    "CPU's bar may differ by most of itself. Middle: the scheme fitted (by SVD) to stratified Monte Carlo weights instead "
+    "of converged ones; its distance from its own samples, which is what an author without a converged truth can see, and "
+    "from the truth. Right: what so few samples leave behind: weights of orders m < 0, which symmetry makes zero, and the "
+    "distance from the truth, as shares of a set's norm (medians); dotted, the authors' released table: 1.3 % and 2.65 %."
 )
 # Measured on the authors' released table against converged weights.
 _RELEASED = {"m < 0": 0.013, "relative L2": 0.0265}

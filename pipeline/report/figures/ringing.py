@@ -12,8 +12,9 @@ from pipeline.table.table import full_weights
 
 CAPTION = (
     "The paper's figure 4: luminance of the recommended table's expansion without and with the zonal window of eq. 5, at "
-    "the middle of the parameter ranges. Purple is negative light; colours are stretched to show it, so that the sky "
-    "itself saturates. Right: along the sun's meridian, from the nadir through the sun to the zenith."
+    "the middle of the parameter ranges. Titles give the lowest value below the horizon as a share of the sky's own "
+    "brightest value there. Purple is negative light; colours are stretched to show it, so that the sky itself saturates. "
+    "Right: along the sun's meridian, from the nadir through the sun to the zenith."
 )
 
 
@@ -35,7 +36,7 @@ def draw(material: Material) -> Figure | None:
     for panel, picture, title in ((left, before, "original"), (middle, after, "windowed")):
         image = panel.imshow(picture, extent=panorama.EXTENT, aspect="auto", cmap="PuOr_r", vmin=-reach, vmax=reach)
         low = 100 * picture[len(picture) // 2 :].min() / sky.max()
-        panel.set_title(f"{title}: lowest {low:.1f} % of the brightest sky", fontsize=9)
+        panel.set_title(f"{title}: lowest {low:.1f} % of the sky's own brightest", fontsize=9)
         panel.set_xlabel("azimuth from the sun (degrees)")
     left.set_ylabel("altitude (degrees)")
     figure.colorbar(image, ax=[left, middle], label="luminance (cd/m²)", orientation="horizontal", shrink=0.6)

@@ -20,11 +20,12 @@ _AZIMUTHS = (0.0, 120.0, 240.0)
 CAPTION = (
     "Surroundings, which stand still while the sun turns, in the bands of the recommended table: the sky alone, what an "
     "even light would look like through what hides the sky (an occluder's shadow is everything but a cap), and the whole "
-    "scene with its clouds, lights and ground. East in the middle, north to the left of it, the sun a red cross. All by the "
-    "same table; few bands blur every edge, and all columns are windowed by sinc(l / N), so that ringing does not hide the "
-    "rest. What hides the sky acts on as many bands as the table has: the heading tells how far its first bands then are "
-    "from those of a wider sky (relative L2, worst of these suns). A table of more bands, of which a renderer takes the "
-    "first, does better."
+    "scene with its clouds, lights and ground. East in the middle, north to the left of it, the sun a red cross. All by "
+    "the same table; few bands blur every edge, and all columns are windowed by sinc(l / N), so that ringing does not hide "
+    "the rest. What hides the sky acts on as many bands as the table has. The heading tells by how much the first bands "
+    "change with a wider sky (relative L2, worst channel of these suns). That is a sign, not the error: the wider sky is "
+    "cut too, and the scene itself lies farther off. A table of more bands, of which a renderer takes the first, does "
+    "better."
 )
 
 
@@ -67,7 +68,10 @@ def draw(material: Material) -> Figure | None:
 
 
 def _truncation(material: Material, values: Array, azimuths: Sequence[float]) -> list[str]:
-    """Return a line that tells how far the first bands are from those of the widest sky; none without a wider one."""
+    """Return a line that tells how far the first bands move with the widest sky; none without a wider one.
+
+    A sign of convergence, not the error against the scene itself (``claims.scene`` measures that).
+    """
     table, widest = material.best.table, max(material.surroundings)
     if widest <= table.bands or table.surroundings is None:
         return []
@@ -82,7 +86,7 @@ def _truncation(material: Material, values: Array, azimuths: Sequence[float]) ->
             worst[n] = max(worst[n], float(lost.max()))
     shown = [n for n in (3, 5, 7, 9, 12) if n < table.bands] + [table.bands]
     told = ", ".join(f"{n}: {style.percent(worst[n])}" for n in shown)
-    return [f"error of the first bands beside a sky of {widest} bands: {told}"]
+    return [f"change of the first bands with a sky of {widest} bands, which is cut too: {told}"]
 
 
 def _picture(weights: NDArray[np.floating]) -> Array:

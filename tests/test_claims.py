@@ -1,0 +1,157 @@
+"""What measures the README's claims: a scene by its directions, and the files and blocks that figures go through."""
+
+from __future__ import annotations
+
+import json
+import shutil
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from click.testing import CliRunner
+from conftest import ROOT
+from numpy.typing import NDArray
+
+from pipeline import sphere
+from pipeline.bench import speed
+from pipeline.bench.evaluation import LITERAL
+from pipeline.bench.page import Section
+from pipeline.claims import readme, scene
+from pipeline.claims.__main__ import main
+from pipeline.config import Config, parse
+from pipeline.config.extending import read
+from pipeline.export import npz
+from pipeline.light import spherical
+from pipeline.report.page import _TEMPLATES
+
+Array = NDArray[np.float64]
+BANDS = 6
+VALLEY = ROOT / "configs" / "valley.toml"
+REFERENCE = ROOT / "reports" / "reference"
+SUN = ({"sun_zenith": 0.8, "turbidity": 3.0}, 2.0)
+
+
+def lit(**edits: Any) -> Config:
+    """The valley with these parts of its scene alone."""
+    raw = read(VALLEY)
+    raw["scene"], raw["report"] = edits, {"figures": ["maps"]}
+    return parse(raw, "a valley", VALLEY.parent)
+
+
+def even(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A sky of radiance 1."""
+    monkeypatch.setattr(scene, "_sky", lambda _config, where, *_: np.ones((len(where), 3)))
+
+
+def test_an_even_sky_above_a_skyline_and_behind_a_sphere(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Closed forms: the skyline's mask, and everything but a cap."""
+    even(monkeypatch)
+    skyline = [0.1, 0.5, 0.3, 0.2]
+    found = scene.direct(lit(horizon=skyline), [SUN], BANDS, 64)
+    # The skyline's corners are met to a meridian.
+    assert np.abs(found[0] - sphere.horizon(skyline, BANDS)).max() < 1e-3
+    sphere_ = {"centre": [1.0, -2.0, 2.5], "radius": 1.0}
+    angle, direction = spherical.half_angles([sphere_["centre"]], [1.0])
+    expected = sphere.horizon(0.0, BANDS) - sphere.aim(sphere.cap(angle[0], BANDS), direction[0])
+    found = scene.direct(lit(occluders=[sphere_]), [SUN], BANDS, 256)
+    # Its edge is met to a node's distance.
+    assert np.abs(found[0] - expected).max() < 2e-3
+
+
+def test_an_even_ground_and_lamps(monkeypatch: pytest.MonkeyPatch) -> None:
+    even(monkeypatch)
+    ground = scene.direct(lit(ground=[0.1, 0.2, 0.3], horizon=[0.0]), [SUN], BANDS, 64)
+    upper = sphere.horizon(0.0, BANDS)
+    expected = np.array([sphere.add_ground(upper, albedo, BANDS) for albedo in (0.1, 0.2, 0.3)])
+    assert np.abs(ground[0] - expected).max() < 1e-12
+    lights = read(VALLEY)["scene"]["lights"]
+    lamps = scene.direct(lit(horizon=[0.0], lights=lights), [SUN], BANDS, 32) - scene.direct(lit(), [SUN], BANDS, 32)
+    one, other = lights
+    told = np.multiply.outer(one["radiance"], spherical.spheres(one["centre"], one["radius"], BANDS))
+    spot = spherical.spots(other["centre"], other["axis"], other["inner"], other["outer"], BANDS)
+    told += np.multiply.outer(other["intensity"], spot)
+    assert np.abs(lamps[0] - told).max() < 1e-9 * np.abs(told).max()
+    with pytest.raises(ValueError, match=r"kind 'point'.*sphere or a spot"):
+        scene.direct(lit(lights=[{"kind": "point", "centre": [0.0, 0.0, 1.0], "intensity": [1.0] * 3}]), [SUN], BANDS, 16)
+
+
+def test_a_sky_that_has_no_more_bands_is_what_the_transfer_matrix_makes_of_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Behind a skyline alone the matrix is exact for the bands it has: all that is lost is what the sky has beyond."""
+    config = lit(horizon=read(VALLEY)["scene"]["horizon"])
+    assert scene.measure(config, [SUN], BANDS, 128)[BANDS][1] > 0.01
+
+    def cut(config: Config, where: Array, parameters: dict[str, float], azimuth: float) -> Array:
+        return sphere.basis(where, BANDS) @ scene._expansion(config, parameters, azimuth, BANDS).T
+
+    monkeypatch.setattr(scene, "_sky", cut)
+    assert scene.measure(config, [SUN], BANDS, 128)[BANDS][1] < 1e-4
+
+
+def test_clouds_are_where_their_picture_has_them(monkeypatch: pytest.MonkeyPatch) -> None:
+    """As the pipeline projects the picture, to what two bands lack; turned or upside down they would be elsewhere."""
+    config = lit(clouds={"image": "clouds.png", "layout": "equirect", "colour": [9500.0] * 3, "opacity": 0.85})
+    right = scene.measure(config, [SUN], BANDS, 128)[2][1]
+    at = scene._clouds
+    for moved in (
+        lambda c, polar, around: at(c, polar, around + 1.0),
+        lambda c, polar, around: at(c, np.pi - polar, around),
+    ):
+        monkeypatch.setattr(scene, "_clouds", moved)
+        assert scene.measure(config, [SUN], BANDS, 128)[2][1] > 3 * right
+    assert config.scene.clouds
+    odd = config.scene.clouds.model_copy(update={"layout": "angular"})
+    odder = config.model_copy(update={"scene": config.scene.model_copy(update={"clouds": odd})})
+    with pytest.raises(ValueError, match=r"layout 'angular'.*equirect"):
+        at(odder, np.zeros(1), np.zeros(1))
+
+
+@pytest.mark.parametrize(
+    ("fit", "reference", "noise"), [("2.1", "8.9e+19", True), ("7e+19", None, True), ("2.1", "8e+9", False)]
+)
+def test_the_page_says_what_is_rounding_noise(fit: str, reference: str | None, noise: bool) -> None:
+    """Beside a reference of that condition number, or on the page of a run whose own fit has it, as configs/paper.toml's."""
+    row = dict.fromkeys(("name", "bands", "basis", "degrees", "dtype", "layout", "coefficients", "bytes", "worst"), "some")
+    row |= {"e_mean": "12 %", "e_max": "40 %", "stricter": [], "rel_l2": "1 %", "condition": None}
+    page = _TEMPLATES.get_template("index.html.j2").render(
+        **{"name": "a", "title": "a", "best": row, "tables": [row], "references": [row | {"condition": reference}]},
+        **{"conventions": ("per-set",), "pictures": [], "degrees": None, "facts": {"Condition number of the fit": fit}},
+        **{"skipped": [], "settings": "", "environment": {}, "keys": {}},
+    )
+    assert ("rounding noise, and this machine's" in page) == noise
+
+
+def test_speed_is_recorded_with_its_spread_and_machine(tmp_path: Path) -> None:
+    tables = {"one": npz.read(REFERENCE / "export" / "skylight_sh.npz")}
+    ratios = {f"{key}{part}": 12.345 for key in speed._RATIOS for part in ("", ", least", ", most")}
+    times = dict.fromkeys(speed._TIMES, 123.45)
+    rows = [{"table": name, "bytes": 10, **times, **ratios} for name in (LITERAL, "one", "lookup 9, linear")]
+    speed.save(tmp_path, Section("evaluation", "", "", rows), tables, 7)
+    found = json.loads((tmp_path / "speed.json").read_text(encoding="utf-8"))
+    assert [row["name"] for row in found["tables"]] == [LITERAL, "one"]
+    assert found["tables"][1]["times_faster"] == {"median": 12.3, "least": 12.3, "most": 12.3}
+    assert found["tables"][1]["bands"] == 7
+    assert all(found["machine"][key] for key in ("processor", "cores", "system", "compiler"))
+    assert found["rounds"] == 7
+
+
+def test_the_command_writes_blocks_and_releases_speed(tmp_path: Path) -> None:
+    page, reference = tmp_path / "README.md", tmp_path / "reference"
+    shutil.copytree(REFERENCE, reference)
+    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    places = ["--reference", str(reference)]
+    page.write_text(text.replace("<!-- /ringing -->", "stale\n<!-- /ringing -->"), encoding="utf-8")
+    done = CliRunner().invoke(main, ["write", *places, "--readme", str(page)])
+    assert done.exit_code == 0, done.output
+    assert page.read_text(encoding="utf-8") == text
+    (reference / "speed.json").rename(tmp_path / "speed.json")
+    done = CliRunner().invoke(main, ["write", *places, "--readme", str(page)])
+    assert done.exit_code == 1
+    assert "make bench speed" in done.output
+    assert CliRunner().invoke(main, ["speed", str(tmp_path), *places]).exit_code == 0
+    assert (reference / "speed.json").read_bytes() == (REFERENCE / "speed.json").read_bytes()
+    done = CliRunner().invoke(main, ["speed", str(tmp_path / "none"), *places])
+    assert done.exit_code == 1
+    assert "Run `make bench` first" in done.output
+    with pytest.raises(ValueError, match="needs the block results once"):
+        readme.rewrite("", readme.released(reference))
