@@ -45,7 +45,7 @@ reference: .venv/dev.stamp ## Release the default config's result, a picture of 
 	@$(RUN) run configs/preetham.toml
 	@$(RUN) run configs/valley.toml >/dev/null
 	@mkdir -p reports/reference && find reports/reference -mindepth 1 ! -name speed.json -delete
-	@cd reports/preetham && cp -r export figures errors.csv summary.json SHA256SUMS index.html ../reference/
+	@cd reports/preetham && cp -r export figures errors.csv references.csv summary.json SHA256SUMS index.html ../reference/
 	@cp reports/valley/figures/surroundings.png reports/reference/valley.png
 	@.venv/bin/python -m pipeline.claims measure
 	@.venv/bin/python -m pipeline.claims write

@@ -112,7 +112,7 @@ def study(config: Config, store: Store, seeds: int) -> Iterator[str]:
             told = ", ".join(different) or "the same bytes"
             yield f"seed {seed}: {told}; with a thousand times a pair's noise {len(loud)} flips {loud[:3]}"
     yield f"{seeds - changed} of {seeds} the same bytes with noise of {WEIGHTS:g} on the truth and {LEAST:g} on L_min."
-    yield f"Expected flips of a pair of machines, by noise {_LOUDER:g} times as large: {expected / seeds / _LOUDER:.2g} a run."
+    yield f"Expected flips of a pair of machines, by {_LOUDER:g} times their noise: {expected / seeds / _LOUDER:.2g} a run."
     if changed:
         sys.exit(1)
 
