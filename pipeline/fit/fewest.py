@@ -67,17 +67,23 @@ class _Search:
 
 
 def fewest(
-    grid: Sampled, checked: Sampled, shape: Sequence[int], first: int, budget: float
+    grid: Sampled, checked: Sampled, shape: Sequence[int], first: int, budget: float, known: Index | None = None
 ) -> tuple[Kept | None, list[Kept]]:
     """Return the fewest terms found whose largest error over ``checked`` stays within ``budget``, and all tried.
 
     ``grid``, of ``shape``, is what is fitted; ``first`` is the size of the first axis' basis. Terms are ranked by the
     largest coefficients that drop with them; a bisection finds how many are needed, corners that the budget does not
     need are then taken away one by one, and the worst sets' importance is sharpened where that saves another. What is
-    left is filled up to a multiple of four terms, unless long sharpening meets the budget with the multiple below. The first
-    result is None where all terms together exceed the budget.
+    left is filled up to a multiple of four terms, unless long sharpening meets the budget with the multiple below. Lengths
+    ``known`` from a search with a larger budget are taken where sharpening is enough. The first result is None where all
+    terms together exceed the budget.
     """
     search = _Search(grid, checked, shape, first)
+    if known is not None:
+        made = search.sharpened(known, budget, _LONG_ROUNDS)
+        if made.error <= budget:
+            return made, [made]
+        search = _Search(grid, checked, shape, first)
     ranked = _ranking(search.normal.best.reshape(*search.normal.best.shape[:2], first, -1))
     tried: list[Kept] = []
 

@@ -33,8 +33,7 @@ def choose_nodes(
 
     The weights of a coarse grid of parameter sets, edges and corners included, are computed with more and more nodes
     until two runs differ by no more than ``tolerance``, relative to each set's and channel's largest weight. The
-    finer run's node count is returned; its error is far below that difference, which is the estimate (for random
-    samples it is below the difference in the mean). An adaptive rule needs no number, and has its own estimate: the largest
+    coarser run's node count is returned: the finer one measures its error, which is the estimate. An adaptive rule needs no number, and has its own estimate: the largest
     over the same sets. Raises NotConvergedError with the difference reached.
     """
     names = tuple(ranges)
@@ -46,6 +45,7 @@ def choose_nodes(
         return 0, max(float(project_block(job).estimate.max()) for job in jobs)
     estimate = np.inf
     previous: list[Array] = []
+    coarser = 0
     for nodes in ladder(bands):
         current = [project_block(Job(light, names, block, nodes, bands, mirrored, rule)).weights for block in blocks]
         if previous:
@@ -54,8 +54,8 @@ def choose_nodes(
                 for new, old in zip(current, previous, strict=True)
             )
             if estimate <= tolerance:
-                return nodes, estimate
-        previous = current
+                return coarser, estimate
+        previous, coarser = current, nodes
     raise NotConvergedError(
         f"The truth did not converge: {ladder(bands)[-1]} nodes of the rule {rule!r} reach {estimate:.2g} relative, but "
         f"truth.tolerance is {tolerance:.2g}. Raise truth.tolerance, lower truth.bands, narrow the axes' ranges or choose "

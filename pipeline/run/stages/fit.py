@@ -102,8 +102,8 @@ def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
     return Dataset(found, {"mirrored": mirrored})
 
 
-def swept(config: Config, inputs: Inputs, reference: Reference) -> Worst:
-    """Measure every combination of the config's degrees against ``reference``, truncations of the one fit."""
+def swept(config: Config, inputs: Inputs, reference: Reference, bands: int) -> Worst:
+    """Measure every combination of the config's degrees for 1 to ``bands`` bands, truncations of the one fit."""
     axes, fit = axes_of(config, inputs), inputs["fit"]
     vander = BASES[config.fit.basis].vander
     vanders = [
@@ -112,7 +112,7 @@ def swept(config: Config, inputs: Inputs, reference: Reference) -> Worst:
     ]
     degrees = [range(s.degrees[0], s.degrees[1] + 1) for s in config.axes]
     factor = np.asarray(factors.evaluate(factor_of(config, inputs), axes, reference.parameters), dtype=np.float64)
-    return sweep(fit["coefficients"], vanders, factor, reference, degrees, config.truth.bands)
+    return sweep(fit["coefficients"], vanders, factor, reference, degrees, bands)
 
 
 def fit_reference(

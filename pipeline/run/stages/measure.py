@@ -86,7 +86,7 @@ def _as_is(reference: Reference) -> Reference:
 
 
 def _swept(config: Config, inputs: Inputs, reference: Reference) -> dict[str, Variable]:
-    worst = swept(config, inputs, reference)
+    worst = swept(config, inputs, reference, config.truth.bands)
     dims = ("combination", "channel", "bands")
     return {
         "sweep/degrees": Variable(("combination", "axis"), np.array(worst.degrees)),

@@ -170,7 +170,7 @@ def _gather(config: Config, inputs: Inputs) -> _Material:
     least = significant(next(iter(l_min(least, scale * mean).values())), _WEIGHT_BITS)
     checked_shape = inputs["truth/verification"]["least_luminance"].shape
     degrees = tuple(axis.degrees[1] for axis in config.axes)
-    worst = swept(config, inputs, reference.some(_SWEPT_EACH))
+    worst = swept(config, inputs, reference.some(_SWEPT_EACH), max(winner.bands for winner in config.winners))
     errors = next(iter(worst.e_mean.values()))
     return _Material(
         *(frame, sets, weights, least, shape, checked_shape, degrees, reference, np.array(worst.degrees), errors),
@@ -195,11 +195,13 @@ def _gridded(material: _Material, dense: Array, dtype: str) -> Array:
 def _cheapest(wanted_: Wanted, asked: float, material: _Material) -> tuple[Table, list[Point]]:
     """Search with a budget that shrinks until the table as shipped meets the one asked for; also return all tried."""
     budget = (1.0 - _IN_HAND) * asked
-    aim, reached, front = budget, np.inf, []
+    aim, reached, front, known = budget, np.inf, [], None
     material = replace(material, degrees=material.enough(wanted_.winner.bands, budget))
     for _ in range(_RETRIES):
-        search = _packed if wanted_.layout == "packed" else _fast
-        table, tried = search(wanted_, aim, material)
+        if wanted_.layout == "packed":
+            table, tried = _packed(wanted_, aim, material)
+        else:
+            table, tried, known = _fast(wanted_, aim, material, known)
         front += tried
         if table is None:
             reached = _whole_error(wanted_, material)
@@ -264,9 +266,12 @@ def _both(material: _Material, bands: int) -> tuple[Sampled, Sampled]:
     return grid, _sampled(material, reference.parameters, reference.weights, l_min, shape, bands)
 
 
-def _fast(wanted_: Wanted, aim: float, material: _Material) -> tuple[Table | None, list[Point]]:
+def _fast(
+    wanted_: Wanted, aim: float, material: _Material, known: NDArray[np.int64] | None
+) -> tuple[Table | None, list[Point], NDArray[np.int64] | None]:
+    """Return the table, all tried, and its lengths; ``known`` are those of a try that float32 carried over its budget."""
     bands, dtype, first = wanted_.winner.bands, wanted_.winner.dtype, material.degrees[0] + 1
-    best, tried = fewest(*_both(material, bands), material.shape, first, aim)
+    best, tried = fewest(*_both(material, bands), material.shape, first, aim, known)
     rest = tuple(d + 1 for d in material.degrees[1:])
     empty = np.zeros((len(material.frame.channels), sphere.count(bands, mirrored=material.frame.mirrored), first, *rest))
 
@@ -275,7 +280,7 @@ def _fast(wanted_: Wanted, aim: float, material: _Material) -> tuple[Table | Non
         return tables.fast(material.frame, shaped, lengths.reshape(rest), bands, dtype)
 
     points = [(float(table(k.lengths, empty).bytes), k.error) for k in tried]
-    return (table(best.lengths, best.dense) if best else None), points
+    return (table(best.lengths, best.dense), points, best.lengths) if best else (None, points, None)
 
 
 def _packed(wanted_: Wanted, aim: float, material: _Material) -> tuple[Table | None, list[Point]]:
