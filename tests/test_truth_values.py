@@ -168,13 +168,13 @@ def test_nodes_are_chosen_on_five_values_an_axis() -> None:
     light = Seen(Hints(peak_axis="sun_zenith"))
     ranges = {"sun_zenith": (0.25, 1.25), "haze": (1.0, 3.0)}
     nodes, estimate = converge.choose_nodes(light, ranges, bands=3, mirrored=True, tolerance=1e-10)
-    assert nodes == 32
+    # The coarser of the two that agree, by 24 and by 32 nodes.
+    assert nodes == 24
     assert estimate < 1e-12
     zeniths = np.concatenate([named["sun_zenith"].ravel() for named in light.parameters])
     hazes = np.concatenate([named["haze"].ravel() for named in light.parameters])
     assert sorted(set(zeniths)) == pytest.approx([0.25, 0.5, 0.75, 1.0, 1.25])
     assert sorted(set(hazes)) == pytest.approx([1.0, 1.5, 2.0, 2.5, 3.0])
-    # Twice, by 24 and by 32 nodes.
     assert hazes.size == 2 * 25
     assert converge.choose_nodes(light, ranges, rule="adaptive", bands=3, mirrored=True, tolerance=1e-6)[0] == 0
 

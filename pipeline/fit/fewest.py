@@ -78,12 +78,26 @@ def fewest(
     ``known`` from a search with a larger budget are taken where sharpening is enough. The first result is None where all
     terms together exceed the budget.
     """
-    search = _Search(grid, checked, shape, first)
     if known is not None:
-        made = search.sharpened(known, budget, _LONG_ROUNDS)
+        made = _Search(grid, checked, shape, first).sharpened(known, budget, _LONG_ROUNDS)
         if made.error <= budget:
             return made, [made]
-        search = _Search(grid, checked, shape, first)
+    search = _Search(grid, checked, shape, first)
+    best, tried = _searched(search, budget)
+    while best is not None and best.lengths.sum() % _GROUP:
+        options = [search.fit(lengths) for lengths in _with_a_corner(best.lengths, first)]
+        tried += options
+        if not options:
+            break
+        best = min(options, key=lambda k: k.error)
+    if best is not None and best.error > budget:
+        best = search.sharpened(best.lengths, budget)
+    return best, tried
+
+
+def _searched(search: _Search, budget: float) -> tuple[Kept | None, list[Kept]]:
+    """Return the fewest terms found, not yet filled up to whole groups, and all tried."""
+    first = search.first
     ranked = _ranking(search.normal.best.reshape(*search.normal.best.shape[:2], first, -1))
     tried: list[Kept] = []
 
@@ -110,13 +124,6 @@ def fewest(
         best = smaller
     while (group := _a_group_less(search, ranked, best, attempt, budget)) is not None:
         best = group
-    while best.lengths.sum() % _GROUP:
-        options = [attempt(lengths) for lengths in _with_a_corner(best.lengths, first)]
-        if not options:
-            break
-        best = min(options, key=lambda k: k.error)
-    if best.error > budget:
-        best = search.sharpened(best.lengths, budget)
     return best, tried
 
 

@@ -32,9 +32,10 @@ def choose_nodes(
     """Return the number of nodes that meets ``tolerance`` over the whole range, and the error estimate.
 
     The weights of a coarse grid of parameter sets, edges and corners included, are computed with more and more nodes
-    until two runs differ by no more than ``tolerance``, relative to each set's and channel's largest weight. The
-    coarser run's node count is returned: the finer one measures its error, which is the estimate. An adaptive rule needs no number, and has its own estimate: the largest
-    over the same sets. Raises NotConvergedError with the difference reached.
+    until two runs differ by no more than ``tolerance``, relative to each set's and channel's largest weight. The coarser
+    run's node count is returned: the finer one measures its error, which is the estimate. An adaptive rule needs no
+    number, and has its own estimate: the largest over the same sets. Raises NotConvergedError with the difference
+    reached.
     """
     names = tuple(ranges)
     probes = parameter_sets.grid([np.linspace(low, high, _PROBES_PER_AXIS) for low, high in ranges.values()])
