@@ -8,13 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pipeline.fit.maps import MAPS
-from pipeline.reproducible import significant
 
 Array = NDArray[np.float64]
 Floats = NDArray[np.floating]
-
-# Of a node: the last ones would be the processor's.
-_BITS = 44
 
 
 @dataclass(frozen=True)
@@ -39,9 +35,9 @@ class Axis:
         return np.asarray(MAPS[self.map].forward(values, numbers))
 
     def unscaled(self, variable: Array) -> Array:
-        """Map the fit's variable back to parameter values of 44 bits, inside the range to the last bit."""
+        """Map the fit's variable back to parameter values, inside the range to the last bit."""
         values = MAPS[self.map].inverse(variable, np.array(self.constants))
-        return np.clip(significant(values, _BITS), self.low, self.high)
+        return np.clip(values, self.low, self.high)
 
     def fit_nodes(self, count: int, spacing: str) -> Array:
         """Return ``count`` rising nodes: Chebyshev roots in the fit's variable, or ``uniform`` with both ends."""
@@ -50,14 +46,14 @@ class Axis:
         if spacing == "uniform":
             return np.linspace(self.low, self.high, count)
         u = -np.cos(np.pi * (np.arange(count) + 0.5) / count)
-        return self.unscaled(u) if self.map != "raw" else significant(self._spread(u), _BITS)
+        return self.unscaled(u) if self.map != "raw" else self._spread(u)
 
     def verification_nodes(self, count: int, avoid: Array) -> Array:
         """Return ``count`` rising nodes with both ends, dense towards them, that share no interior one with ``avoid``."""
         if self.low == self.high or count == 1:
             return np.full(1, self.low)
         x = np.cos(np.pi * np.arange(count - 1, -1, -1) / (count - 1))
-        nodes = significant(self._spread(x), _BITS)
+        nodes = self._spread(x)
         nodes[0], nodes[-1] = self.low, self.high
         spacing = np.diff(nodes).min()
         for i in range(1, count - 1):
