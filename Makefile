@@ -12,7 +12,7 @@ fit: .venv/run.stamp ## Run every stage of CONFIG and print where the report is
 	@$(RUN) run $(CONFIG)
 
 test: .venv/dev.stamp ## Run the tests
-	@.venv/bin/python -m pytest
+	@.venv/bin/python -m pytest -n auto --dist loadfile
 
 conformance: .venv/dev.stamp ## Run the tests that need more tools: node, shader compilers, a browser, clang, an emulator
 	@.venv/bin/python -m pytest -m tools
