@@ -142,7 +142,9 @@ def _c_output(found: Released) -> str:
 
 def _py_output(found: Released) -> str:
     _, weights = _example(found)
-    return "\n".join(["```text", f"{weights.shape} {weights[:, 0].round()}", "```"])
+    # Some libraries make NumPy print as it once did.
+    with np.printoptions(legacy=False):
+        return "\n".join(["```text", f"{weights.shape} {weights[:, 0].round()}", "```"])
 
 
 def _gradient(found: Released) -> str:
