@@ -183,6 +183,14 @@ def test_convolution_is_the_integral_against_the_turned_kernel() -> None:
     assert np.abs(sphere.dot(known[:, np.newaxis], turned) - integral).max() < 1e-12
 
 
+def test_packed_irradiance_of_exactly_two_bands() -> None:
+    # An even sky of radiance 1 over the whole sphere sends pi onto every surface, and has no second band.
+    even = np.array([np.sqrt(4 * np.pi), 0.0, 0.0, 0.0])
+    assert sphere.packed_irradiance(even) == pytest.approx([np.pi, 0.0, 0.0, 0.0], rel=1e-15)
+    with pytest.raises(ValueError, match="at least 2"):
+        sphere.packed_irradiance(even[:1])
+
+
 def test_packed_irradiance_is_a_dot_product_with_the_normal() -> None:
     """004's constants: a light from p packs to 1/4 and 1/2 (y, z, x), up to the basis' pi."""
     towards = directions(20)
