@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import itertools
+from typing import Any
 
 import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from pipeline.fit import errors, search, sweep
+from pipeline.fit import errors, search, smallest, sweep
 from pipeline.fit.axes import Axis
 from pipeline.fit.fewest import fewest
 from pipeline.fit.maps import MAPS
+from pipeline.fit.rounding import round_kept
 from pipeline.fit.weighted import Sampled, even, metric, sharpen
 from pipeline.reproducible import significant
 
@@ -165,3 +167,20 @@ def test_a_denominator_does_not_depend_on_the_unit_of_the_weights() -> None:
     q = low @ exact
     assert q / (1.5 - x) == pytest.approx(np.full(25, q[0] / 2.5), rel=1e-3)
     assert q.mean() == pytest.approx(1.0)
+
+
+def test_whole_numbers_stay_within_what_a_reader_holds(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A budget far below 2**-30 of the largest coefficient: the step stays where numbers of 30 bits can follow."""
+    sampled = grid(9)
+    seen: list[int] = []
+
+    def recorded(*arguments: Any) -> NDArray[np.int64]:
+        numbers = round_kept(*arguments)
+        seen.append(int(np.abs(numbers).max()))
+        return numbers
+
+    monkeypatch.setattr(smallest, "round_kept", recorded)
+    best, _ = smallest.smallest(sampled, sampled, (9, 9), 4, 1e-15, lambda numbers: numbers.size)
+    assert best is None
+    # What a Rice code's reader holds once folded (the packed format), and nearly all of it.
+    assert 2**29 < max(seen) <= 2**30 - 1
