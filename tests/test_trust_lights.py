@@ -36,7 +36,8 @@ from pipeline.light import (
 from pipeline.run.runner import Result
 from pipeline.table import believable
 from pipeline.table.measure import measure
-from pipeline.truth.vet import vet
+from pipeline.truth.samples import Samples
+from pipeline.truth.vet import check_samples, vet
 
 Array = NDArray[np.float64]
 
@@ -419,3 +420,17 @@ def test_a_table_of_no_light_is_not_measured(small_run: Result, least: float, me
     reference = Reference(np.array([[0.5, 3.0]]), weights, degrees, np.array([least]), np.array([mean]))
     with pytest.raises(LightError, match="relative to the mean luminance"):
         measure(table, reference)
+
+
+def test_samples_of_any_leading_shape_are_looked_at() -> None:
+    light = Preetham()
+    parameters = {"sun_zenith": np.array([0.1, 0.2, 0.3]), "turbidity": np.array([3.0, 4.0, 5.0])}
+    weights = np.ones((3, 3, 4))
+    for lead in ((3,), (3, 1), (1, 3), (1, 3, 1)):
+        good = Samples(weights.reshape(*lead, 3, 4), np.ones(lead), np.zeros((*lead, 3)), np.zeros(lead))
+        check_samples(light, parameters, good)
+        black = weights.copy()
+        black[1] = 0.0
+        dark = Samples(black.reshape(*lead, 3, 4), np.ones(lead), np.zeros((*lead, 3)), np.zeros(lead))
+        with pytest.raises(LightError, match=r"no positive mean luminance.*0\.2.*4"):
+            check_samples(light, parameters, dark)
