@@ -1,7 +1,7 @@
 # `make fit` is the reproducible run; `make help` lists the rest.
 CONFIG ?= configs/preetham.toml
 PYTHON ?= python3
-RUN := .venv/bin/python -m pipeline
+RUN := .venv/bin/python -m skylight_sh
 
 .PHONY: help fit test conformance bench speed stability fuzz verify machines noise mutants lint reference clean
 
@@ -24,7 +24,7 @@ stability: .venv/dev.stamp ## Stress the numerics
 	@$(RUN) stability $(CONFIG)
 
 fuzz: .venv/run.stamp ## Call headers with 10^7 inputs of any bits each (twenty minutes; needs gcc and clang)
-	@.venv/bin/python -m pipeline.stability.fuzz 1e7
+	@.venv/bin/python -m skylight_sh.studies.stability.fuzz 1e7
 
 verify: .venv/run.stamp ## Run the released result's config again and compare every byte
 	@$(RUN) verify reports/reference
@@ -33,7 +33,7 @@ machines: .venv/run.stamp ## Run CONFIG under many kernels, threads and workers,
 	@.ci/machines $(CONFIG)
 
 noise: .venv/run.stamp ## Run CONFIG on truths with noise, 30 seeds, and compare every byte (ten minutes)
-	@.venv/bin/python -m pipeline.stability.same_bytes $(CONFIG)
+	@.venv/bin/python -m skylight_sh.studies.stability.same_bytes $(CONFIG)
 
 mutants: .venv/dev.stamp ## Change numbers, signs and comparisons of the numerics, and name changes that no test notices (an hour)
 	@cd tests && ../.venv/bin/python -m mutants $(MUTANTS)
@@ -47,12 +47,12 @@ reference: .venv/dev.stamp ## Release the default config's result, a picture of 
 	@mkdir -p reports/reference && find reports/reference -mindepth 1 ! -name speed.json -delete
 	@cd reports/preetham && cp -r export figures errors.csv references.csv summary.json SHA256SUMS index.html ../reference/
 	@cp reports/valley/figures/surroundings.png reports/reference/valley.png
-	@.venv/bin/python -m pipeline.claims measure
-	@.venv/bin/python -m pipeline.claims write
+	@.venv/bin/python -m skylight_sh.studies.claims measure
+	@.venv/bin/python -m skylight_sh.studies.claims write
 
 speed: .venv/run.stamp ## Release what `make bench` has measured of the default config, and write the README's figures
-	@.venv/bin/python -m pipeline.claims speed reports/preetham/bench
-	@.venv/bin/python -m pipeline.claims write
+	@.venv/bin/python -m skylight_sh.studies.claims speed reports/preetham/bench
+	@.venv/bin/python -m skylight_sh.studies.claims write
 
 clean: ## Delete the environment, the store and all runs but the reference
 	rm -rf .venv artifacts build *.egg-info .mypy_cache .ruff_cache .hypothesis

@@ -8,8 +8,7 @@ from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
-
-from pipeline.export import c_header
+from skylight_sh.export import c_header
 
 FACTS = c_header.Facts("values", 0.0, 0.0, "per-set", [], luminance=(0.2, 0.7, 0.1))
 GCC = ["gcc", "-std=c99"]

@@ -8,10 +8,9 @@ from pathlib import Path
 
 import pytest
 from hypothesis import settings
-
-from pipeline.config import Config, load, parse
-from pipeline.run.runner import Result, run
-from pipeline.store.store import Store
+from skylight_sh.config import Config, load, parse
+from skylight_sh.run.runner import Result, run
+from skylight_sh.store.store import Store
 
 # Examples are drawn anew on a developer's machine, and are the same ones on every CI run.
 settings.register_profile("ci", derandomize=True, deadline=None)

@@ -17,11 +17,10 @@ from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
-
-from pipeline.export import shaders
-from pipeline.export.c_header import Facts
-from pipeline.export.shader_dialects import DIALECTS, number
-from pipeline.table.table import Table
+from skylight_sh.export import shaders
+from skylight_sh.export.c_header import Facts
+from skylight_sh.export.shader_dialects import DIALECTS, number
+from skylight_sh.table.table import Table
 
 Floats = NDArray[np.float32]
 FACTS = Facts("Sky \\\n one */ \u2028 \u00fc \\", 0.001, 0.004, "per-set", ["line one \\", "line\ntwo"])
@@ -79,7 +78,7 @@ async function webgpu(device, { source, width, height }) {
   const encoder = device.createCommandEncoder();
   const pass = encoder.beginComputePass();
   pass.setPipeline(pipeline);
-  pass.setBindGroup(0, device.createBindGroup({ layout: pipeline.getBindGroupLayout(0), entries }));
+  pass.setBindGroup(0, device.createBindGroup({ layout: skylight_sh.getBindGroupLayout(0), entries }));
   pass.dispatchWorkgroups(width, height);
   pass.end();
   encoder.copyBufferToBuffer(made, 0, read, 0, size);

@@ -7,9 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
+from skylight_sh import sphere
 from test_sphere import directions
-
-from pipeline import sphere
 
 Array = NDArray[np.float64]
 SPECIAL = {

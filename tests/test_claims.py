@@ -12,18 +12,17 @@ import pytest
 from click.testing import CliRunner
 from conftest import ROOT
 from numpy.typing import NDArray
-
-from pipeline import sphere
-from pipeline.bench import speed
-from pipeline.bench.evaluation import LITERAL
-from pipeline.bench.page import Section
-from pipeline.claims import readme, scene
-from pipeline.claims.__main__ import main
-from pipeline.config import Config, parse
-from pipeline.config.extending import read
-from pipeline.export import npz
-from pipeline.light import spherical
-from pipeline.report.page import _TEMPLATES
+from skylight_sh import sphere
+from skylight_sh.config import Config, parse
+from skylight_sh.config.extending import read
+from skylight_sh.export import npz
+from skylight_sh.light import spherical_lights
+from skylight_sh.report.page import _TEMPLATES
+from skylight_sh.studies.claims import readme, scene
+from skylight_sh.studies.claims.__main__ import main
+from skylight_sh.studies.page import Section
+from skylight_sh.studies.speed import speed
+from skylight_sh.studies.speed.evaluation import LITERAL
 
 Array = NDArray[np.float64]
 BANDS = 6
@@ -52,7 +51,7 @@ def test_an_even_sky_above_a_skyline_and_behind_a_sphere(monkeypatch: pytest.Mon
     # The skyline's corners are met to a meridian.
     assert np.abs(found[0] - sphere.horizon(skyline, BANDS)).max() < 1e-3
     sphere_ = {"centre": [1.0, -2.0, 2.5], "radius": 1.0}
-    angle, direction = spherical.half_angles([sphere_["centre"]], [1.0])
+    angle, direction = spherical_lights.half_angles([sphere_["centre"]], [1.0])
     expected = sphere.horizon(0.0, BANDS) - sphere.aim(sphere.cap(angle[0], BANDS), direction[0])
     found = scene.direct(lit(occluders=[sphere_]), [SUN], BANDS, 256)
     # Its edge is met to a node's distance.
@@ -68,8 +67,8 @@ def test_an_even_ground_and_lamps(monkeypatch: pytest.MonkeyPatch) -> None:
     lights = read(VALLEY)["scene"]["lights"]
     lamps = scene.direct(lit(horizon=[0.0], lights=lights), [SUN], BANDS, 32) - scene.direct(lit(), [SUN], BANDS, 32)
     one, other = lights
-    told = np.multiply.outer(one["radiance"], spherical.spheres(one["centre"], one["radius"], BANDS))
-    spot = spherical.spots(other["centre"], other["axis"], other["inner"], other["outer"], BANDS)
+    told = np.multiply.outer(one["radiance"], spherical_lights.spheres(one["centre"], one["radius"], BANDS))
+    spot = spherical_lights.spots(other["centre"], other["axis"], other["inner"], other["outer"], BANDS)
     told += np.multiply.outer(other["intensity"], spot)
     assert np.abs(lamps[0] - told).max() < 1e-9 * np.abs(told).max()
     with pytest.raises(ValueError, match=r"kind 'point'.*sphere or a spot"):

@@ -9,12 +9,11 @@ import numpy as np
 import pytest
 from conftest import ONE_LAYOUT, SMALL, run_quietly, scene_config
 from numpy.typing import NDArray
-
-from pipeline import runtime, sphere
-from pipeline.config import ConfigError
-from pipeline.light import Preetham, sun
-from pipeline.run.stages.scene import folded
-from pipeline.truth import sampling
+from skylight_sh import runtime, sphere
+from skylight_sh.config import ConfigError
+from skylight_sh.light import Preetham, sun_disc
+from skylight_sh.quadrature import sampling
+from skylight_sh.scene.fold import folded
 
 Array = NDArray[np.float64]
 
@@ -29,11 +28,18 @@ def brute_force(theta: float, tau: float) -> Array:
     where = np.stack(np.broadcast_arrays(flat * np.cos(phi), flat * np.sin(phi), z[:, np.newaxis]), axis=-1)
     sky = Preetham().radiance(where, {"sun_zenith": np.array(theta), "turbidity": np.array(tau)})
     diffuse = 2 * math.pi / 1400 * np.einsum("ijc,i,i->c", sky, z, areas)
-    angle = (np.arange(1000) + 0.5) * sun.HALF_ANGLE / 1000
+    angle = (np.arange(1000) + 0.5) * sun_disc.HALF_ANGLE / 1000
     turn = (np.arange(1000) + 0.5) * 2 * math.pi / 1000
     height = math.cos(theta) * np.cos(angle)[:, np.newaxis] + math.sin(theta) * np.outer(np.sin(angle), np.cos(turn))
-    beam = float((np.maximum(height, 0.0) * np.sin(angle)[:, np.newaxis]).sum()) * sun.HALF_ANGLE / 1000 * 2 * math.pi / 1000
-    return np.asarray(diffuse + beam * sun.radiance(theta, tau))
+    beam = (
+        float((np.maximum(height, 0.0) * np.sin(angle)[:, np.newaxis]).sum())
+        * sun_disc.HALF_ANGLE
+        / 1000
+        * 2
+        * math.pi
+        / 1000
+    )
+    return np.asarray(diffuse + beam * sun_disc.radiance(theta, tau))
 
 
 @pytest.mark.parametrize(
@@ -64,7 +70,7 @@ def test_a_table_holds_sky_and_sun(tmp_path: Path) -> None:
         assert found[disc].table.sun_disc == (disc == "true")
     for theta, phi, tau in ((0.2, 0.5, 2.6), (0.9, 3.0, 5.9), (1.2, -2.0, 3.3)):
         added = found["true"].weights(theta, phi, tau).astype(np.float64) - found["false"].weights(theta, phi, tau)
-        expected = sun.weights(theta, phi, tau, 4)
+        expected = sun_disc.weights(theta, phi, tau, 4)
         # Both tables err by up to 5 % of the sky's least luminance, some 100 cd/m2, in the sum of squares.
         assert np.abs(added - expected).max() < 200 < np.abs(expected).max() / 10
 

@@ -11,10 +11,9 @@ import numpy as np
 import pytest
 from click.testing import CliRunner
 from conftest import SMALL
-
-from pipeline import runtime
-from pipeline.cli import main
-from pipeline.run.runner import Result
+from skylight_sh import runtime
+from skylight_sh.cli.main import main
+from skylight_sh.run.runner import Result
 
 
 def invoke(*arguments: str) -> tuple[int, str, str]:

@@ -9,9 +9,8 @@ from typing import Any
 
 import pytest
 from click.testing import CliRunner
-
-from pipeline.cli import main
-from pipeline.config import Config, ConfigError, load, table_names
+from skylight_sh.cli.main import main
+from skylight_sh.config import Config, ConfigError, load, table_names
 
 ROOT = Path(__file__).resolve().parents[1]
 GOOD = (Path(__file__).parent / "small.toml").read_text(encoding="utf-8")

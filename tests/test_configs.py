@@ -13,12 +13,11 @@ import numpy as np
 import pytest
 from conftest import ROOT, run_quietly
 from numpy.typing import NDArray
-
-from pipeline import runtime
-from pipeline.config import Config, parse
-from pipeline.config.extending import read
-from pipeline.config.names import table_names
-from pipeline.light import PREFACTORS
+from skylight_sh import runtime
+from skylight_sh.config import Config, parse
+from skylight_sh.config.extending import read
+from skylight_sh.config.wanted import table_names
+from skylight_sh.light import PREFACTORS
 
 CONFIGS = sorted((ROOT / "configs").glob("*.toml"))
 DEFAULT = read(ROOT / "configs" / "preetham.toml")["report"]["figures"]

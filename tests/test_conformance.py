@@ -12,13 +12,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 from conftest import ROOT, SMALL, run_quietly
-
-from pipeline import runtime
-from pipeline.config import load
-from pipeline.export import c_header, npz, vectors
-from pipeline.stability import fuzz
-from pipeline.stability.flavours import flavours
-from pipeline.table.table import Table
+from skylight_sh import runtime
+from skylight_sh.config import load
+from skylight_sh.export import c_header, npz, vectors
+from skylight_sh.studies.stability import fuzz
+from skylight_sh.studies.stability.flavours import flavours
+from skylight_sh.table.table import Table
 
 pytestmark = pytest.mark.tools
 

@@ -11,11 +11,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 from conftest import ROOT
+from skylight_sh import runtime
+from skylight_sh.export import day, engines, solar
+from skylight_sh.light import MissingExtraError
 from test_cli import invoke
-
-from pipeline import runtime
-from pipeline.export import day, engines, sun
-from pipeline.light import MissingExtraError
 
 TABLE = ROOT / "reports" / "reference" / "export" / "skylight_sh.npz"
 VIENNA = ("--latitude", "48.2", "--longitude", "16.4", "--timezone", "Europe/Vienna", "--date", "2024-06-21")
@@ -28,16 +27,16 @@ def export(output: Path, *more: str) -> tuple[int, str, str]:
 def test_the_sun_stands_where_nrel_publishes_it() -> None:
     """Reda and Andreas 2004 (NREL/TP-560-34302), table A5: zenith 50.11162, azimuth 194.34024 from north by east."""
     moment = datetime(2003, 10, 17, 12, 30, 30, tzinfo=timezone(timedelta(hours=-7)))
-    zenith, azimuth = sun.position(sun.Place(39.742476, -105.1786), moment)
+    zenith, azimuth = solar.position(solar.Place(39.742476, -105.1786), moment)
     assert np.degrees(zenith) == pytest.approx(50.11162, abs=0.1)
     assert np.degrees(azimuth) == pytest.approx((90 - 194.34024) % 360, abs=0.1)
 
 
 def test_the_sun_rises_in_the_east_and_culminates_in_the_south() -> None:
     """At an equinox: +x, our azimuth 0, in the morning, then -y, and -x in the evening."""
-    place = sun.Place(48.2, 0.0)
+    place = solar.Place(48.2, 0.0)
     for hour, expected in ((6.13, 0.0), (12.13, 270.0), (18.13, 180.0)):
-        zenith, azimuth = sun.position(place, datetime(2024, 3, 20, tzinfo=UTC) + timedelta(hours=hour))
+        zenith, azimuth = solar.position(place, datetime(2024, 3, 20, tzinfo=UTC) + timedelta(hours=hour))
         assert abs((np.degrees(azimuth) - expected + 180) % 360 - 180) < 1.5
         assert np.degrees(zenith) == pytest.approx(48.2 if expected == 270 else 90, abs=1)
 
@@ -74,7 +73,7 @@ def test_morning_light_comes_from_the_east(tmp_path: Path) -> None:
 
 
 def test_days_of_23_hours_and_without_sun(tmp_path: Path) -> None:
-    assert len(list(sun.moments(date(2024, 3, 31), "Europe/Vienna", 60))) == 23
+    assert len(list(solar.moments(date(2024, 3, 31), "Europe/Vienna", 60))) == 23
     code, out, _ = export(tmp_path / "night.json", "--latitude", "80", "--date", "2024-12-21")
     assert code == 0
     assert "0 skies" in out
@@ -120,5 +119,5 @@ def test_a_clamped_sky_is_told(tmp_path: Path) -> None:
 def test_without_astral_the_remedy_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "astral", None)
     with pytest.raises(MissingExtraError, match=r"pip install -e '\.\[solar\]'"):
-        sun.position(sun.Place(0, 0), datetime(2024, 1, 1, tzinfo=UTC))
+        solar.position(solar.Place(0, 0), datetime(2024, 1, 1, tzinfo=UTC))
     assert day.WRITERS.keys() == {".json", ".csv"}

@@ -13,10 +13,9 @@ import pytest
 from conftest import ROOT
 from numpy.typing import NDArray
 from scipy.special import sph_harm_y
+from skylight_sh import runtime, sphere
+from skylight_sh.export import engines
 from test_cli import invoke
-
-from pipeline import runtime, sphere
-from pipeline.export import engines
 
 Array = NDArray[np.float64]
 TABLE = ROOT / "reports" / "reference" / "export" / "skylight_sh.npz"

@@ -8,11 +8,10 @@ import numpy as np
 import pandas as pd
 import pytest
 from numpy.typing import NDArray
-
-from pipeline import runtime, sphere
-from pipeline.light import Preetham
-from pipeline.run.runner import Result
-from pipeline.truth import rings
+from skylight_sh import runtime, sphere
+from skylight_sh.light import Preetham
+from skylight_sh.quadrature import rings
+from skylight_sh.run.runner import Result
 
 Array = NDArray[np.float64]
 BANDS = 4

@@ -15,14 +15,13 @@ from conftest import ROOT
 from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
-
-from pipeline import runtime, sphere
-from pipeline.config.problems import usable
-from pipeline.export import c_header, npz
-from pipeline.fit.axes import Axis
-from pipeline.run.runner import Result
-from pipeline.table.factor import Reciprocal
-from pipeline.table.table import Frame, Table, fast, small
+from skylight_sh import runtime, sphere
+from skylight_sh.config.validation import usable
+from skylight_sh.export import c_header, npz
+from skylight_sh.fit.axis import Axis
+from skylight_sh.run.runner import Result
+from skylight_sh.table.prefactor import Reciprocal
+from skylight_sh.table.table import Frame, Table, fast, small
 
 Array = NDArray[np.float64]
 STRICT = ["-O2", "-Wall", "-Wextra", "-Wconversion", "-pedantic", "-Werror"]
@@ -285,7 +284,7 @@ def test_runtime_needs_numpy_alone(small_run: Result) -> None:
 import sys
 for name in ("dask", "h5py", "scipy", "pandas", "matplotlib", "pydantic", "click", "rich", "jinja2"):
     sys.modules[name] = None
-from pipeline import runtime
+from skylight_sh import runtime
 print(runtime.load({str(path)!r}).weights(0.8, 0.0, 3.0).shape)
 """
     done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=False)

@@ -10,15 +10,14 @@ from datetime import date
 
 import numpy as np
 import pytest
-
-from pipeline import runtime
-from pipeline.export import c_comment, c_header, day, npz, shaders, sun
-from pipeline.export.shader_dialects import DIALECTS, GLSL, expression
-from pipeline.fit.axes import Axis
-from pipeline.stability.flavours import flavours
-from pipeline.table import twilight
-from pipeline.table.factor import ClosedForm
-from pipeline.table.table import Frame, fast
+from skylight_sh import runtime
+from skylight_sh.export import c_comment, c_header, day, npz, shaders, solar
+from skylight_sh.export.shader_dialects import DIALECTS, GLSL, expression
+from skylight_sh.fit.axis import Axis
+from skylight_sh.studies.stability.flavours import flavours
+from skylight_sh.table import twilight
+from skylight_sh.table.prefactor import ClosedForm
+from skylight_sh.table.table import Frame, fast
 
 FLAVOURS = flavours()
 
@@ -60,27 +59,27 @@ def test_an_archive_holds_no_date() -> None:
 
 def test_places_end_at_the_poles_and_half_way_round() -> None:
     for good in ((90, 180), (-90, -180), (0, 0)):
-        assert sun.Place(*good).latitude == good[0]
+        assert solar.Place(*good).latitude == good[0]
     for bad in ((90.001, 0), (-90.001, 0), (0, 180.001), (0, -180.001), (float("nan"), 0)):
         with pytest.raises(ValueError, match="Should be degrees"):
-            sun.Place(*bad)
+            solar.Place(*bad)
 
 
 def test_moments_run_from_midnight_to_before_the_next() -> None:
-    found = list(sun.moments(date(2024, 6, 21), "Europe/Vienna", 60))
+    found = list(solar.moments(date(2024, 6, 21), "Europe/Vienna", 60))
     assert [m.isoformat() for m in (found[0], found[1], found[-1])] == [
         f"2024-06-21T{hour}:00:00+02:00" for hour in ("00", "01", "23")
     ]
     assert len(found) == 24
-    assert len(list(sun.moments(date(2024, 6, 21), "UTC", 1))) == 1440
-    assert len(list(sun.moments(date(2024, 6, 21), "UTC", 1441))) == 1
-    assert len(list(sun.moments(date(2024, 10, 27), "Europe/Vienna", 60))) == 25
+    assert len(list(solar.moments(date(2024, 6, 21), "UTC", 1))) == 1440
+    assert len(list(solar.moments(date(2024, 6, 21), "UTC", 1441))) == 1
+    assert len(list(solar.moments(date(2024, 10, 27), "Europe/Vienna", 60))) == 25
     with pytest.raises(ValueError, match="at least 1 minute"):
-        next(sun.moments(date(2024, 6, 21), "UTC", 0))
+        next(solar.moments(date(2024, 6, 21), "UTC", 0))
 
 
 def test_a_day_by_default_is_hourly_and_unexposed_and_skips_the_night() -> None:
-    place = sun.Place(48.2, 16.4)
+    place = solar.Place(48.2, 16.4)
     table = runtime.Runtime(FLAVOURS["rows"])
     made = day.tabulate(table, day.Request("unity", place, date(2024, 6, 21), {"turbidity": 3.0}))
     assert made.request.exposure == 1.0

@@ -7,10 +7,9 @@ from pathlib import Path
 
 import pytest
 from conftest import SMALL
+from skylight_sh.config import ConfigError, load
+from skylight_sh.run.provenance import settings
 from test_cli import invoke
-
-from pipeline.config import ConfigError, load
-from pipeline.run.provenance import settings
 
 
 @pytest.fixture

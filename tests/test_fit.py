@@ -9,12 +9,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
-
-from pipeline.fit import errors, solve, sweep
-from pipeline.fit.axes import Axis
-from pipeline.fit.bases import BASES
-from pipeline.fit.fewest import fewest
-from pipeline.fit.weighted import Sampled, even, metric, sharpen
+from skylight_sh.fit import errors, least_squares, sweep
+from skylight_sh.fit.axis import Axis
+from skylight_sh.fit.bases import BASES
+from skylight_sh.fit.minimax import Sampled, even, metric, sharpen
+from skylight_sh.fit.term_selection import fewest
 
 Array = NDArray[np.float64]
 MAPS = st.sampled_from([("identity", 0.0), ("log", -0.5), ("reciprocal", -2.0), ("reciprocal", 30.0), ("cbrt", 30.0)])
@@ -55,17 +54,17 @@ def test_tensor_fit_recovers_a_polynomial_over_any_number_of_axes(degrees: tuple
     samples = np.moveaxis(exact, 0, -1)
     for axis, matrix in enumerate(matrices):
         samples = np.moveaxis(np.tensordot(matrix, samples, axes=(1, axis)), 0, axis)
-    assert np.abs(solve.fit_tensor(samples, matrices) - exact).max() < 1e-13
-    for solver in solve.SOLVERS:
-        assert np.abs(solve.fit_full(samples, matrices, solver) - exact).max() < 1e-12
-    assert solve.condition(matrices) < 8
+    assert np.abs(least_squares.fit_tensor(samples, matrices) - exact).max() < 1e-13
+    for solver in least_squares.SOLVERS:
+        assert np.abs(least_squares.fit_full(samples, matrices, solver) - exact).max() < 1e-12
+    assert least_squares.condition(matrices) < 8
 
 
 def test_lower_fits_are_truncations() -> None:
     axis = Axis("x", 0.0, 1.0)
     x = axis.fit_nodes(20, "chebyshev")
     values = np.exp(3 * x)[:, np.newaxis]
-    fits = [solve.fit_tensor(values, [BASES["chebyshev"].vander(axis.scaled(x), d)])[0] for d in (9, 4)]
+    fits = [least_squares.fit_tensor(values, [BASES["chebyshev"].vander(axis.scaled(x), d)])[0] for d in (9, 4)]
     assert np.abs(fits[0][:5] - fits[1]).max() < 1e-13
 
 

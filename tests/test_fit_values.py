@@ -8,14 +8,13 @@ from typing import Any
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-
-from pipeline.fit import errors, search, smallest, sweep
-from pipeline.fit.axes import Axis
-from pipeline.fit.fewest import fewest
-from pipeline.fit.maps import MAPS
-from pipeline.fit.rounding import round_kept
-from pipeline.fit.weighted import Sampled, even, metric, sharpen
-from pipeline.reproducible import significant
+from skylight_sh.fit import errors, quantisation, sweep, variable_search
+from skylight_sh.fit.axis import Axis
+from skylight_sh.fit.maps import MAPS
+from skylight_sh.fit.minimax import Sampled, even, metric, sharpen
+from skylight_sh.fit.nearest_plane import round_kept
+from skylight_sh.fit.term_selection import fewest
+from skylight_sh.reproducible import significant
 
 Array = NDArray[np.float64]
 
@@ -156,13 +155,13 @@ def test_a_denominator_does_not_depend_on_the_unit_of_the_weights() -> None:
     low, high = np.polynomial.chebyshev.chebvander(x, 2), np.polynomial.chebyshev.chebvander(x, 4)
     least = 1.0 / (1.5 - x)
     samples = np.stack([least * (1 + x), least * np.exp(x), np.cos(2 * x)], axis=-1)
-    found = search._denominator(low, high, samples, least, 1e-3)
+    found = variable_search._denominator(low, high, samples, least, 1e-3)
     assert found is not None
     for unit in (1e-4, 1e5):
-        other = search._denominator(low, high, unit * samples, least, 1e-3)
+        other = variable_search._denominator(low, high, unit * samples, least, 1e-3)
         assert other == pytest.approx(found, rel=1e-6, abs=1e-8)
     # What is a polynomial over 1.5 - x needs no other denominator.
-    exact = search._denominator(low, high, samples[:, :1], least, 1e-6)
+    exact = variable_search._denominator(low, high, samples[:, :1], least, 1e-6)
     assert exact is not None
     q = low @ exact
     assert q / (1.5 - x) == pytest.approx(np.full(25, q[0] / 2.5), rel=1e-3)
@@ -179,8 +178,8 @@ def test_whole_numbers_stay_within_what_a_reader_holds(monkeypatch: pytest.Monke
         seen.append(int(np.abs(numbers).max()))
         return numbers
 
-    monkeypatch.setattr(smallest, "round_kept", recorded)
-    best, _ = smallest.smallest(sampled, sampled, (9, 9), 4, 1e-15, lambda numbers: numbers.size)
+    monkeypatch.setattr(quantisation, "round_kept", recorded)
+    best, _ = quantisation.smallest(sampled, sampled, (9, 9), 4, 1e-15, lambda numbers: numbers.size)
     assert best is None
     # What a Rice code's reader holds once folded (the packed format), and nearly all of it.
     assert 2**29 < max(seen) <= 2**30 - 1

@@ -8,13 +8,12 @@ import numpy as np
 import pytest
 from c_programs import FACTS, floats, run
 from numpy.typing import NDArray
-
-from pipeline import sphere
-from pipeline.export import c_header, paper_literal
-from pipeline.fit.axes import Axis
-from pipeline.fit.maps import MAPS
-from pipeline.table import twilight
-from pipeline.table.table import Frame, Table, fast
+from skylight_sh import sphere
+from skylight_sh.export import c_header, paper_literal
+from skylight_sh.fit.axis import Axis
+from skylight_sh.fit.maps import MAPS
+from skylight_sh.table import twilight
+from skylight_sh.table.table import Frame, Table, fast
 
 Array = NDArray[np.float64]
 

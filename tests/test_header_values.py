@@ -10,12 +10,11 @@ import numpy as np
 import pytest
 from c_programs import FACTS, STRICT, floats, run
 from numpy.typing import NDArray
-
-from pipeline import runtime, sphere
-from pipeline.export import c_header, vectors
-from pipeline.fit.axes import Axis
-from pipeline.stability.flavours import flavours
-from pipeline.table.table import Frame, Table, fast
+from skylight_sh import runtime, sphere
+from skylight_sh.export import c_header, vectors
+from skylight_sh.fit.axis import Axis
+from skylight_sh.studies.stability.flavours import flavours
+from skylight_sh.table.table import Frame, Table, fast
 
 Array = NDArray[np.float64]
 FLAVOURS = flavours()

@@ -8,9 +8,8 @@ from typing import Any, get_args, get_type_hints
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-
-from pipeline.light import CieGeneral, Preetham, colour
-from pipeline.light.preetham import zenith_factor, zenith_luminance
+from skylight_sh.light import CieGeneral, Preetham, colour
+from skylight_sh.light.preetham import zenith_factor, zenith_luminance
 
 Array = NDArray[np.float64]
 SKIES = get_args(get_type_hints(CieGeneral)["sky"])

@@ -15,18 +15,17 @@ import perezsky
 import pytest
 from conftest import ROOT
 from numpy.typing import NDArray
+from skylight_sh import sphere
+from skylight_sh.config import ConfigError, load
+from skylight_sh.light import CieTraditional, Perez, Preetham, colour, perez, spherical_lights, sun_disc
+from skylight_sh.quadrature.fixed import zenith_gauss
+from skylight_sh.run import plan, progress
+from skylight_sh.run.runner import steps
+from skylight_sh.run.stages.export import facts_of
+from skylight_sh.run.stages.measure import read_table
+from skylight_sh.store.store import Store
+from skylight_sh.studies.speed import discs
 from threadpoolctl import threadpool_limits
-
-from pipeline import sphere
-from pipeline.bench import discs
-from pipeline.config import ConfigError, load
-from pipeline.light import CieTraditional, Perez, Preetham, colour, perez, spherical, sun
-from pipeline.run import plan, progress
-from pipeline.run.runner import steps
-from pipeline.run.stages.export import facts_of
-from pipeline.run.stages.measure import read_table
-from pipeline.store.store import Store
-from pipeline.truth.fixed import zenith_gauss
 
 Array = NDArray[np.float64]
 NAMES = get_args(get_type_hints(CieTraditional)["sky"])
@@ -237,9 +236,9 @@ def test_discs_turned_equal_their_integral() -> None:
     where = local @ np.array([side, np.cross(axis, side), axis])
     weight = w * (1 - math.cos(half)) / 2 * 2 * np.pi / 48
     expected = np.einsum("ijk,i->k", sphere.basis(where, 10), weight)
-    assert spherical.discs(half, axis, 10) == pytest.approx(expected, abs=1e-13)
+    assert spherical_lights.discs(half, axis, 10) == pytest.approx(expected, abs=1e-13)
     # All directions: nothing but l = 0 is left.
-    whole = spherical.discs(math.pi, axis, 10)
+    whole = spherical_lights.discs(math.pi, axis, 10)
     assert whole[0] == pytest.approx(math.sqrt(4 * math.pi), rel=1e-15)
     assert np.abs(whole[1:]).max() < 1e-30
 
@@ -248,49 +247,49 @@ def test_many_spheres_at_once_and_from_many_places() -> None:
     draw = np.random.default_rng(1)
     centres, radii = draw.normal(size=(30, 3)) + np.array([0, 0, 6]), draw.random(30)
     receivers = draw.normal(size=(4, 1, 3)) * 0.1
-    got = spherical.spheres(centres, radii, 6, receivers)
+    got = spherical_lights.spheres(centres, radii, 6, receivers)
     assert got.shape == (4, 30, 36)
-    one = spherical.spheres(centres[7], radii[7], 6, receivers[2, 0])
+    one = spherical_lights.spheres(centres[7], radii[7], 6, receivers[2, 0])
     assert got[2, 7] == pytest.approx(one, abs=1e-15)
     # A far sphere is a point light of intensity pi r squared.
-    far = spherical.spheres([0.0, 3e6, 4e6], 2.0, 6)
-    assert far == pytest.approx(math.pi * 4 * spherical.points([0.0, 3e6, 4e6], 6), rel=1e-9, abs=1e-25)
+    far = spherical_lights.spheres([0.0, 3e6, 4e6], 2.0, 6)
+    assert far == pytest.approx(math.pi * 4 * spherical_lights.points([0.0, 3e6, 4e6], 6), rel=1e-9, abs=1e-25)
 
 
 def test_receiver_in_a_light() -> None:
-    half, _ = spherical.half_angles([0.0, 0.0, 2.0], 2.0)
+    half, _ = spherical_lights.half_angles([0.0, 0.0, 2.0], 2.0)
     assert half == pytest.approx(math.pi / 2)
-    with pytest.raises(spherical.InsideLightError, match=r"light 1: distance 1, radius 2"):
-        spherical.half_angles([[0, 0, 5], [0, 0, 1]], 2.0)
-    surrounded = spherical.spheres([[0, 0, 5], [0, 0, 1], [0, 0, 0]], 2.0, 4, inside="sphere")
+    with pytest.raises(spherical_lights.InsideLightError, match=r"light 1: distance 1, radius 2"):
+        spherical_lights.half_angles([[0, 0, 5], [0, 0, 1]], 2.0)
+    surrounded = spherical_lights.spheres([[0, 0, 5], [0, 0, 1], [0, 0, 0]], 2.0, 4, inside="sphere")
     assert surrounded[1:, 0] == pytest.approx(math.sqrt(4 * math.pi))
     assert np.abs(surrounded[1:, 1:]).max() < 1e-15
 
 
 def test_dirac_lights() -> None:
     direction = np.array([3.0, 0.0, 4.0])
-    assert spherical.directional(direction, 5) == pytest.approx(sphere.basis(direction / 5, 5))
-    assert spherical.points(direction, 5) == pytest.approx(sphere.basis(direction / 5, 5) / 25)
-    aimed = spherical.spots(direction, [-direction, [0.0, 0.0, 1.0]], 0.2, 0.4, 5)
-    assert aimed[0] == pytest.approx(spherical.points(direction, 5))
+    assert spherical_lights.directional(direction, 5) == pytest.approx(sphere.basis(direction / 5, 5))
+    assert spherical_lights.points(direction, 5) == pytest.approx(sphere.basis(direction / 5, 5) / 25)
+    aimed = spherical_lights.spots(direction, [-direction, [0.0, 0.0, 1.0]], 0.2, 0.4, 5)
+    assert aimed[0] == pytest.approx(spherical_lights.points(direction, 5))
     assert np.all(aimed[1] == 0)
 
 
 @pytest.mark.parametrize(
     ("call", "text"),
     [
-        (lambda: spherical.spheres([0, 0, 5], -1.0, 3), "radius -1.0"),
-        (lambda: spherical.spheres([0, 0, 5], math.nan, 3), "radius nan"),
-        (lambda: spherical.spheres([0, math.nan, 5], 1.0, 3), "centre or receiver nan"),
-        (lambda: spherical.spheres([0, 0, 0], 0.0, 3), "radius 0 stands at its receiver"),
-        (lambda: spherical.points([0, 0, 0], 3), "infinitely bright"),
-        (lambda: spherical.directional([0, 0, 0], 3), "direction"),
-        (lambda: spherical.spots([0, 0, 1], [0, 0, -1], 0.5, 0.4, 3), "cone"),
-        (lambda: spherical.discs(-0.1, [0, 0, 1], 3), "half-angle -0.1"),
+        (lambda: spherical_lights.spheres([0, 0, 5], -1.0, 3), "radius -1.0"),
+        (lambda: spherical_lights.spheres([0, 0, 5], math.nan, 3), "radius nan"),
+        (lambda: spherical_lights.spheres([0, math.nan, 5], 1.0, 3), "centre or receiver nan"),
+        (lambda: spherical_lights.spheres([0, 0, 0], 0.0, 3), "radius 0 stands at its receiver"),
+        (lambda: spherical_lights.points([0, 0, 0], 3), "infinitely bright"),
+        (lambda: spherical_lights.directional([0, 0, 0], 3), "direction"),
+        (lambda: spherical_lights.spots([0, 0, 1], [0, 0, -1], 0.5, 0.4, 3), "cone"),
+        (lambda: spherical_lights.discs(-0.1, [0, 0, 1], 3), "half-angle -0.1"),
         (lambda: sphere.cap(math.nan, 3), "half-angle nan"),
         (lambda: sphere.cap(0.1, 0), "bands 0"),
-        (lambda: sun.radiance(1.6, 3.0), "sun zenith 1.6"),
-        (lambda: sun.radiance(0.5, math.nan), "turbidity nan"),
+        (lambda: sun_disc.radiance(1.6, 3.0), "sun zenith 1.6"),
+        (lambda: sun_disc.radiance(0.5, math.nan), "turbidity nan"),
     ],
 )
 def test_wrong_lights_are_refused(call: Callable[[], object], text: str) -> None:
@@ -313,14 +312,14 @@ def test_operations_are_the_papers() -> None:
 
 
 def test_sun_is_as_bright_as_published() -> None:
-    above = (sun.SPECTRUM * sun.OBSERVER[1]).sum() * 10 * 683 * math.pi * math.sin(sun.HALF_ANGLE) ** 2
+    above = (sun_disc.SPECTRUM * sun_disc.OBSERVER[1]).sum() * 10 * 683 * math.pi * math.sin(sun_disc.HALF_ANGLE) ** 2
     assert above == pytest.approx(127_500, rel=0.01)  # the solar illuminance constant of IES RP-21
     for degrees in (0.0, 30.0, 60.0, 75.0):
         # RP-21's clear day: 127.5 klx exp(-0.21 m).
-        published = 127_500 * math.exp(-0.21 * float(sun.optical_mass(math.radians(degrees))))
-        assert sun.normal_illuminance(math.radians(degrees), 2.0) == pytest.approx(published, rel=0.07)
-    assert 80_000 < sun.normal_illuminance(math.radians(30), 3.0) < 100_000
-    red, green, blue = sun.radiance(math.radians(85), 3.0)
+        published = 127_500 * math.exp(-0.21 * float(sun_disc.optical_mass(math.radians(degrees))))
+        assert sun_disc.normal_illuminance(math.radians(degrees), 2.0) == pytest.approx(published, rel=0.07)
+    assert 80_000 < sun_disc.normal_illuminance(math.radians(30), 3.0) < 100_000
+    red, green, blue = sun_disc.radiance(math.radians(85), 3.0)
     assert red > green > blue
 
 
@@ -328,26 +327,26 @@ def test_sun_is_integrated_as_finely_as_stated() -> None:
     matching = colour_science.MSDS_CMFS["CIE 1931 2 Degree Standard Observer"]
     fine = np.arange(380.0, 750.5)
     observer = np.array([matching[float(nm)] for nm in fine])
-    assert np.abs(observer[::10].T - sun.OBSERVER).max() < 1e-6
+    assert np.abs(observer[::10].T - sun_disc.OBSERVER).max() < 1e-6
     ends = np.where((fine == 380) | (fine == 750), 0.5, 1.0)
     for degrees, luminance, channels in ((0.0, 6e-4, 1.5e-3), (80.0, 6e-4, 1.5e-3), (90.0, 7e-3, 5e-2)):
         theta = math.radians(degrees)
-        spectrum = np.interp(fine, sun.WAVELENGTHS, sun.SPECTRUM) * ends
+        spectrum = np.interp(fine, sun_disc.WAVELENGTHS, sun_disc.SPECTRUM) * ends
         for tau in (2.0, 6.0):
-            xyz = 683 * (spectrum * sun.spectral_transmittance(theta, tau, fine)) @ observer
-            got = sun.radiance(theta, tau)
+            xyz = 683 * (spectrum * sun_disc.spectral_transmittance(theta, tau, fine)) @ observer
+            got = sun_disc.radiance(theta, tau)
             assert got @ colour.luminance_row("srgb") == pytest.approx(xyz[1], rel=luminance)
             assert np.abs(got - colour.matrix("srgb") @ xyz).max() < channels * xyz[1]
 
 
 def test_sky_and_sun_add_up_to_a_clear_day() -> None:
     theta, phi, tau = math.radians(40), 0.7, 2.5
-    weights = sun.weights(theta, phi, tau, 8)
+    weights = sun_disc.weights(theta, phi, tau, 8)
     assert weights.shape == (3, 64)
     irradiance = weights @ (
         np.repeat(sphere.clamped_cosine(8), 2 * np.arange(8) + 1) * sphere.basis(np.array([0.0, 0, 1]), 8)
     )
-    beam = float(sun.normal_illuminance(theta, tau)) * math.cos(theta)
+    beam = float(sun_disc.normal_illuminance(theta, tau)) * math.cos(theta)
     # Eight bands of a clamped cosine hold it to 2 % towards a pulse.
     assert irradiance @ colour.luminance_row("srgb") == pytest.approx(beam, rel=0.02)
     where, solid = zenith_gauss(80)

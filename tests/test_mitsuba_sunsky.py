@@ -8,11 +8,10 @@ import mitsuba
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-
-from pipeline.light import MissingExtraError, MitsubaSunsky, mitsuba_sunsky
-from pipeline.run.executors import map_tasks
-from pipeline.truth import converge, sampling
-from pipeline.truth import sets as parameter_sets
+from skylight_sh.light import MissingExtraError, MitsubaSunsky, mitsuba_sunsky
+from skylight_sh.quadrature import convergence, sampling
+from skylight_sh.quadrature import parameter_points as parameter_sets
+from skylight_sh.run.executors import map_tasks
 
 Array = NDArray[np.float64]
 RANGES = {"sun_zenith": (0.0, 1.57), "turbidity": (1.0, 10.0), "albedo": (0.0, 1.0)}
@@ -77,12 +76,12 @@ def test_a_sun_on_the_horizon_is_the_limit_and_not_black() -> None:
 
 
 def test_it_is_mirrored_as_it_says() -> None:
-    assert converge.is_mirrored(MitsubaSunsky(), RANGES)
-    assert converge.is_mirrored(MitsubaSunsky(evaluation="renderer"), RANGES)
+    assert convergence.is_mirrored(MitsubaSunsky(), RANGES)
+    assert convergence.is_mirrored(MitsubaSunsky(evaluation="renderer"), RANGES)
 
 
 def test_the_sun_centred_rule_converges() -> None:
-    nodes, estimate = converge.choose_nodes(MitsubaSunsky(), RANGES, bands=7, mirrored=True, tolerance=1e-10)
+    nodes, estimate = convergence.choose_nodes(MitsubaSunsky(), RANGES, bands=7, mirrored=True, tolerance=1e-10)
     assert nodes <= 64
     assert estimate <= 1e-10
 

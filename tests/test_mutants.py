@@ -22,7 +22,7 @@ def area(width: float, factor: float = 0.5) -> float:
 text = "a" + "b" * len("abc")
 same = text == "abbb"
 '''
-TEST = """from pipeline.light.toy import area
+TEST = """from skylight_sh.light.toy import area
 
 
 def test_area():
@@ -32,7 +32,7 @@ C = "/* 1 + 1 */ if (a[2] < b->c && {{ x - 1 }} != 3u) { t -= 1.5f * u; ++i; } /
 
 
 def test_numbers_signs_and_comparisons_of_python_change_and_nothing_else() -> None:
-    found = {(one.line, one.after) for one in generate.of_file("pipeline/light/toy.py", TOY)}
+    found = {(one.line, one.after) for one in generate.of_file("pipeline/skylight_sh/light/toy.py", TOY)}
     last = "return factor * width + 1e-3 - -SIZE  # 4 - 3"
     assert found == {
         (3, "SIZE: int = 8"),
@@ -57,21 +57,21 @@ def test_numbers_signs_and_comparisons_of_c_change_and_nothing_else() -> None:
 
 def test_c_in_python_strings_changes_and_prose_does_not() -> None:
     source = b'X = f"t[{i}] = 2 * u;"\nABOUT = "as of 1.5 it takes two"\n'
-    found = {one.after for one in generate.of_file("pipeline/export/shaders.py", source)}
+    found = {one.after for one in generate.of_file("pipeline/skylight_sh/export/shaders.py", source)}
     assert found == {'X = f"t[{i}] = 3 * u;"', 'X = f"t[{i}] = 2 / u;"'}
 
 
 def test_every_mutant_of_a_module_is_python() -> None:
     root = Path(__file__).resolve().parents[1]
-    path = "pipeline/export/shaders.py"
+    path = "pipeline/skylight_sh/export/shaders.py"
     source = (root / path).read_bytes()
     for mutant in generate.of_file(path, source):
         compile(mutant.applied(source), path, "exec")
 
 
 def test_a_draw_is_reproducible_and_does_not_depend_on_other_files() -> None:
-    toy = generate.of_file("pipeline/light/toy.py", TOY)
-    other = generate.of_file("pipeline/light/other.py", TOY)
+    toy = generate.of_file("pipeline/skylight_sh/light/toy.py", TOY)
+    other = generate.of_file("pipeline/skylight_sh/light/other.py", TOY)
     drawn = generate.draw(toy, 4, seed=1)
     assert drawn == generate.draw(toy, 4, seed=1)
     assert drawn != generate.draw(toy, 4, seed=2)
@@ -83,13 +83,15 @@ def test_a_draw_is_reproducible_and_does_not_depend_on_other_files() -> None:
 def test_tests_kill_a_mutant_and_miss_another(tmp_path: Path) -> None:
     place = tmp_path / "copy"
     for path, contents in {
-        "pipeline/light/toy.py": TOY.decode(),
+        "pipeline/skylight_sh/light/toy.py": TOY.decode(),
+        "pipeline/skylight_sh/__init__.py": "",
+        "pipeline/skylight_sh/light/__init__.py": "",
         "tests/test_toy.py": TEST,
         "pytest.ini": "[pytest]\n",
     }.items():
         (place / path).parent.mkdir(parents=True, exist_ok=True)
         (place / path).write_text(contents, encoding="utf-8")
-    mutants = generate.of_file("pipeline/light/toy.py", TOY)
+    mutants = generate.of_file("pipeline/skylight_sh/light/toy.py", TOY)
     seen, missed = (next(one for one in mutants if one.after == after) for after in ("SIZE: int = 8", "if width < 0.0:"))
     tests = [("tests/test_toy.py::test_area", 0.01)]
     said: list[str] = []
@@ -97,13 +99,14 @@ def test_tests_kill_a_mutant_and_miss_another(tmp_path: Path) -> None:
     assert [outcome.killed for outcome in outcomes] == [True, False]
     assert outcomes[0].how == tests[0][0]
     assert [line.split()[1] for line in said[:2]] == ["killed", "SURVIVED"]
-    assert (place / "pipeline" / "light" / "toy.py").read_bytes() == TOY
+    assert (place / "pipeline" / "skylight_sh" / "light" / "toy.py").read_bytes() == TOY
     assert not run.Outcome(missed, killed=False, asked=0, how="").killed
 
 
 def test_an_equivalent_needs_a_proof_and_its_line() -> None:
-    mutants = generate.of_file("pipeline/light/toy.py", TOY)
-    entry = '[[mutant]]\nfile = "pipeline/light/toy.py"\nwithin = ""\nbefore = "SIZE: int = 7"\nafter = "SIZE: int = 8"\n'
+    mutants = generate.of_file("pipeline/skylight_sh/light/toy.py", TOY)
+    file = "pipeline/skylight_sh/light/toy.py"
+    entry = f'[[mutant]]\nfile = "{file}"\nwithin = ""\nbefore = "SIZE: int = 7"\nafter = "SIZE: int = 8"\n'
     known = equivalents.Equivalents(f'{entry}proof = "Nobody reads it."')
     assert [one.after for one in mutants if one in known] == ["SIZE: int = 8"]
     assert not known.stale(mutants)

@@ -7,9 +7,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
-
-from pipeline import sphere
-from pipeline.sphere import basis
+from skylight_sh import sphere
+from skylight_sh.sphere import basis
 
 Array = NDArray[np.float64]
 

@@ -12,9 +12,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
+from skylight_sh import sphere
 from test_sphere import directions
-
-from pipeline import sphere
 
 Array = NDArray[np.float64]
 BANDS = 31

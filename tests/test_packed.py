@@ -4,15 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-
-from pipeline import sphere
-from pipeline.fit.axes import Axis
-from pipeline.fit.rounding import lengths_above, round_kept
-from pipeline.fit.search import search
-from pipeline.fit.smallest import smallest
-from pipeline.fit.weighted import Sampled, even, metric
-from pipeline.table import factor, packed
-from pipeline.table.bits import Reader, Writer
+from skylight_sh import sphere
+from skylight_sh.fit.axis import Axis
+from skylight_sh.fit.minimax import Sampled, even, metric
+from skylight_sh.fit.nearest_plane import lengths_above, round_kept
+from skylight_sh.fit.quantisation import smallest
+from skylight_sh.fit.variable_search import search
+from skylight_sh.table import packed, prefactor
+from skylight_sh.table.bits import Reader, Writer
 
 BANDS = 4
 DEGREES, ORDERS = sphere.degrees_orders(BANDS, mirrored=True)
@@ -108,7 +107,7 @@ def test_the_search_finds_a_pole() -> None:
     samples = bright[..., np.newaxis, np.newaxis] * np.stack([1 + a, a * b, np.ones_like(a)], axis=-1)[..., np.newaxis, :]
     found = search(axes, nodes, samples, bright, 1e-3, free=(True, True), factor=True)
     flat = np.stack([a.ravel(), b.ravel()], axis=-1)
-    product = bright.ravel() / factor.evaluate(factor.Reciprocal(found.denominator), found.axes, flat)
+    product = bright.ravel() / prefactor.evaluate(prefactor.Reciprocal(found.denominator), found.axes, flat)
     assert np.ptp(product) / product.mean() < 0.6
     kept = search(axes, nodes, samples, np.ones_like(bright), 1e-3, free=(False, True), factor=False)
     assert kept.axes[0] == axes[0]

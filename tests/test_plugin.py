@@ -8,13 +8,12 @@ import numpy as np
 import pytest
 from click.testing import CliRunner
 from conftest import run_quietly
-
-from pipeline import runtime, sphere
-from pipeline.cli import main
-from pipeline.config import ConfigError, load
-from pipeline.light import Plugin
-from pipeline.store.store import Store
-from pipeline.truth import fixed
+from skylight_sh import runtime, sphere
+from skylight_sh.cli.main import main
+from skylight_sh.config import ConfigError, load
+from skylight_sh.light import Plugin
+from skylight_sh.quadrature import fixed
+from skylight_sh.store.store import Store
 
 CONFIG = """
 name = "glow"

@@ -12,13 +12,12 @@ import OpenImageIO
 import pytest
 from click.testing import CliRunner
 from numpy.typing import NDArray
-
-from pipeline import probe, sphere
-from pipeline.cli import main
-from pipeline.light import Preetham
-from pipeline.probe import Layout, files
-from pipeline.probe.charts import Angular, Chart, Face, LatLong
-from pipeline.truth import sun_centred
+from skylight_sh import probe, sphere
+from skylight_sh.cli.main import main
+from skylight_sh.light import Preetham
+from skylight_sh.probe import Layout, files
+from skylight_sh.probe.charts import Angular, Chart, Face, LatLong
+from skylight_sh.quadrature import sun_centred
 
 Array = NDArray[np.float64]
 

@@ -12,11 +12,10 @@ from typing import Any
 import pytest
 from click.testing import CliRunner
 from conftest import ROOT, SMALL
-
-from pipeline import runtime
-from pipeline.claims import gradient, measured, readme
-from pipeline.cli import main
-from pipeline.run.runner import Result
+from skylight_sh import runtime
+from skylight_sh.cli.main import main
+from skylight_sh.run.runner import Result
+from skylight_sh.studies.claims import gradient, measured, readme
 
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 REFERENCE = ROOT / "reports" / "reference"
@@ -35,7 +34,7 @@ def code(language: str, holding: str) -> str:
 
 def test_every_figure_is_the_released_one() -> None:
     """`make reference` and `make speed` write the blocks; no figure in them is typed."""
-    assert readme.rewrite(README, readme.released(REFERENCE)) == README, "run `python -m pipeline.claims write`"
+    assert readme.rewrite(README, readme.released(REFERENCE)) == README, "run `python -m skylight_sh.studies.claims write`"
     assert not [line for line in README.splitlines() if len(line) > 127]
 
 

@@ -7,10 +7,9 @@ from pathlib import Path
 
 import pytest
 from conftest import ROOT, run_quietly
-
-from pipeline import runtime
-from pipeline.config import load
-from pipeline.run.runner import Result
+from skylight_sh import runtime
+from skylight_sh.config import load
+from skylight_sh.run.runner import Result
 
 REFERENCE = ROOT / "reports" / "reference"
 

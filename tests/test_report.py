@@ -11,10 +11,9 @@ import numpy as np
 import pandas as pd
 import pytest
 from conftest import SMALL, run_quietly
-
-from pipeline.config import load
-from pipeline.report.style import percent
-from pipeline.run.runner import Result
+from skylight_sh.config import load
+from skylight_sh.report.style import percent
+from skylight_sh.run.runner import Result
 
 PICTURES = ("bands", "maps", "panoramas", "ringing", "gibbs", "encoding", "bytes", "degrees")
 FIGURES = f"figures = {json.dumps([*PICTURES, 'daylight', 'surroundings'])}"

@@ -15,16 +15,15 @@ import pytest
 from conftest import ROOT, SMALL, run_quietly, scene_config
 from hypothesis import given
 from hypothesis import strategies as st
-
-from pipeline import runtime
-from pipeline.config import load
-from pipeline.fit import peaks
-from pipeline.fit.errors import l_min
-from pipeline.reproducible import cube_root, in_double, logarithm, product, significant, to_grid
-from pipeline.run.runner import Result
-from pipeline.stability import same_bytes
-from pipeline.store.store import Store
-from pipeline.truth import sets
+from skylight_sh import runtime
+from skylight_sh.config import load
+from skylight_sh.fit import peaks
+from skylight_sh.fit.errors import l_min
+from skylight_sh.quadrature import parameter_points
+from skylight_sh.reproducible import cube_root, in_double, logarithm, product, significant, to_grid
+from skylight_sh.run.runner import Result
+from skylight_sh.store.store import Store
+from skylight_sh.studies.stability import same_bytes
 
 # Two kernels that are far from each other and run on any x86-64 machine of the last ten years; others ignore them.
 DISTANT = (
@@ -111,7 +110,7 @@ def test_peaks_between_nodes_are_found() -> None:
 
 def test_held_out_sets_are_even_and_hold_edges_and_corners() -> None:
     ranges = [(0.0, 1.5), (2.0, 6.0)]
-    made = sets.held_out(ranges, 2000, 128, 7)
+    made = parameter_points.held_out(ranges, 2000, 128, 7)
     assert made.shape == (2000 + 4 * 128 + 4, 2)
     inside, edges, corners = made[:2000], made[2000:-4], made[-4:]
     assert np.all((inside > [0.0, 2.0]) & (inside < [1.5, 6.0]))
@@ -120,16 +119,20 @@ def test_held_out_sets_are_even_and_hold_edges_and_corners() -> None:
     assert len({tuple(box) for box in boxes.tolist()}) == 32 * 32
     assert [int(np.sum(edges[:, a] == end)) for a in (0, 1) for end in ranges[a]] == [128] * 4
     assert sorted(map(tuple, corners.tolist())) == [(0.0, 2.0), (0.0, 6.0), (1.5, 2.0), (1.5, 6.0)]
-    assert not np.array_equal(made, sets.held_out(ranges, 2000, 128, 8))
-    assert sets.held_out([(0.0, 1.0), (3.0, 3.0)], 10, 4, 1).shape == (12, 2)
+    assert not np.array_equal(made, parameter_points.held_out(ranges, 2000, 128, 8))
+    assert parameter_points.held_out([(0.0, 1.0), (3.0, 3.0)], 10, 4, 1).shape == (12, 2)
 
 
 def test_held_out_sets_are_read_by_the_measurement_alone() -> None:
-    from pipeline.run.runner import steps
+    from skylight_sh.run.runner import steps
 
     readers = {step.name for step in steps(load(ROOT / "configs/preetham.toml")) if "truth/held-out" in step.inputs}
     assert readers == {"measure"}
-    for name in ("pipeline/run/stages/select.py", "pipeline/run/stages/fit.py", "pipeline/run/stages/origins.py"):
+    for name in (
+        "pipeline/skylight_sh/run/stages/select.py",
+        "pipeline/skylight_sh/run/stages/fit.py",
+        "pipeline/skylight_sh/run/stages/origins.py",
+    ):
         assert "held" not in (ROOT / name).read_text(encoding="utf-8").replace("held-out ones", "")
 
 
@@ -188,7 +191,7 @@ def test_noise_on_the_truth_changes_no_byte(small_run: Result, seed: int) -> Non
 def test_bytes_do_not_depend_on_the_kernels(small_run: Result, tmp_path: Path) -> None:
     expected = (small_run.folder / "SHA256SUMS").read_bytes()
     for number, kernels in enumerate(DISTANT):
-        command = [sys.executable, "-m", "pipeline", "run", str(SMALL)]
+        command = [sys.executable, "-m", "skylight_sh", "run", str(SMALL)]
         options = ["--store", str(tmp_path / f"a{number}"), "--reports", str(tmp_path / f"r{number}")]
         subprocess.run([*command, *options], cwd=ROOT, env={**os.environ, **kernels}, check=True, capture_output=True)
         assert (tmp_path / f"r{number}" / "small" / "SHA256SUMS").read_bytes() == expected
@@ -207,7 +210,7 @@ def test_provenance_is_in_the_record_alone_and_true(small_run: Result, tmp_path:
             assert b"openblas" not in data, path
     # A store filled by another kernel says so, in whoever's run.
     store, reports = tmp_path / "a", tmp_path / "r"
-    command = [sys.executable, "-m", "pipeline", "run", str(SMALL), "--store", str(store), "--reports", str(reports)]
+    command = [sys.executable, "-m", "skylight_sh", "run", str(SMALL), "--store", str(store), "--reports", str(reports)]
     disabled = "X86_V4 AVX512_ICL AVX512_SPR ASIMDHP ASIMDDP SVE"
     subprocess.run(
         command, cwd=ROOT, env={**os.environ, "NPY_DISABLE_CPU_FEATURES": disabled}, check=True, capture_output=True

@@ -5,10 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-
-from pipeline import sphere
-from pipeline.report import panorama
-from pipeline.report.ringing import ALBEDO, GROUNDS, LEAST, measure
+from skylight_sh import sphere
+from skylight_sh.report import panorama
+from skylight_sh.report.ringing import ALBEDO, GROUNDS, LEAST, measure
 
 
 def ones(sets: int) -> NDArray[np.float64]:

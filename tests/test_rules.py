@@ -8,12 +8,11 @@ from collections.abc import Callable, Mapping
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-
-from pipeline import sphere
-from pipeline.light import CieGeneral, Domain, Hints, Light, Preetham
-from pipeline.truth import adaptive, fixed, rings, sun_centred
-from pipeline.truth import sets as parameter_sets
-from pipeline.truth.samples import NotConvergedError, Samples
+from skylight_sh import sphere
+from skylight_sh.light import CieGeneral, Domain, Hints, Light, Preetham
+from skylight_sh.quadrature import adaptive, fixed, rings, sun_centred
+from skylight_sh.quadrature import parameter_points as parameter_sets
+from skylight_sh.quadrature.samples import NotConvergedError, Samples
 
 Array = NDArray[np.float64]
 

@@ -12,13 +12,12 @@ from pathlib import Path
 
 import pytest
 from conftest import ROOT, SMALL, run_quietly
-
-from pipeline.config import Config, load
-from pipeline.run import plan
-from pipeline.run.executors import map_tasks
-from pipeline.run.runner import Result, run, steps
-from pipeline.run.stages.select import BudgetError
-from pipeline.store.store import Store
+from skylight_sh.config import Config, load
+from skylight_sh.run import code, plan
+from skylight_sh.run.executors import map_tasks
+from skylight_sh.run.runner import Result, run, steps
+from skylight_sh.run.stages.select import BudgetError
+from skylight_sh.store.store import Store
 
 
 def published(folder: Path) -> dict[str, bytes]:
@@ -134,7 +133,7 @@ def test_results_come_in_the_order_of_the_items() -> None:
 
 
 def test_an_interrupted_run_goes_on_where_it_stood(small_run: Result, tmp_path: Path) -> None:
-    command = [sys.executable, "-m", "pipeline", "run", str(SMALL)]
+    command = [sys.executable, "-m", "skylight_sh", "run", str(SMALL)]
     options = ["--store", str(tmp_path / "artifacts"), "--reports", str(tmp_path / "reports")]
     process = subprocess.Popen([*command, *options], cwd=ROOT, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     deadline = time.monotonic() + 60
@@ -185,58 +184,38 @@ def test_processes_are_spawned_not_forked() -> None:
     assert get_context().get_start_method() == "spawn"
 
 
-# What decides where and when work is done, or is part of every key in another way.
-ELSEWHERE = (
-    "config",
-    "store",
-    "run/executors.py",
-    "run/plan.py",
-    "run/provenance.py",
-    "run/__init__.py",
-    "run/stages/__init__.py",
+@pytest.mark.parametrize(
+    ("step", "inside", "outside"),
+    [
+        (
+            "truth/grid",
+            ("light/preetham.py", "quadrature/sun_centred.py", "sphere/_basis.py"),
+            ("report/page.py", "fit/sweep.py"),
+        ),
+        ("select", ("fit/quantisation.py", "fit/nearest_plane.py", "table/packed.py"), ("report/page.py", "export/shaders.py")),
+        ("report", ("report/page.py", "report/templates/index.html.j2", "report/figures/maps.py"), ("cli/main.py",)),
+    ],
 )
+def test_a_key_finds_the_code_its_step_runs(step: str, inside: tuple[str, ...], outside: tuple[str, ...]) -> None:
+    package = ROOT / "pipeline" / "skylight_sh"
+    made = {step.name: step.make for step in steps(load(ROOT / "configs" / "preetham.toml"))}[step]
+    found = {path.relative_to(package).as_posix() for path in code.closure(sorted(set(code._modules(made))))}
+    assert set(inside) <= found
+    assert not set(outside) & found
 
 
-def imported(path: Path) -> set[Path]:
-    """The package's files that a file imports, lazily or not."""
-    found = set()
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-        names = []
-        if isinstance(node, ast.ImportFrom) and node.module:
-            names = [node.module, *(f"{node.module}.{alias.name}" for alias in node.names)]
-        elif isinstance(node, ast.Import):
-            names = [alias.name for alias in node.names]
-        for name in names:
-            if name.split(".")[0] == "pipeline":
-                place = ROOT / name.replace(".", "/")
-                found |= {p for p in (place.with_suffix(".py"), place / "__init__.py") if p.is_file()}
-    return found
-
-
-@pytest.mark.parametrize("name", ["preetham", "black-box", "valley"])
-def test_every_step_is_keyed_by_all_the_code_it_runs(name: str) -> None:
-    package = ROOT / "pipeline"
-    by_name = {step.name: step for step in steps(load(ROOT / "configs" / f"{name}.toml"))}
-
-    def code(step: plan.Step) -> set[str]:
-        return set(step.code).union(*(code(by_name[needed]) for needed in step.inputs))
-
-    for step in by_name.values():
-        make = step.make.func if hasattr(step.make, "func") else step.make
-        todo, seen = [Path(sys.modules[make.__module__].__file__ or "")], set()
-        while todo:
-            path = todo.pop()
-            relative = path.relative_to(package).as_posix()
-            # A package's first file that imports nothing runs nothing.
-            idle = path.name == "__init__.py" and not imported(path)
-            if path in seen or relative.startswith(ELSEWHERE) or idle:
-                continue
-            seen.add(path)
-            todo += imported(path)
-        covered = code(step)
-        missing = {
-            relative
-            for relative in (path.relative_to(package).as_posix() for path in seen)
-            if not any(relative == part or relative.startswith(f"{part}/") for part in covered)
-        }
-        assert not missing, (step.name, missing)
+def test_the_import_closure_misses_nothing_that_python_imports() -> None:
+    package = ROOT / "pipeline" / "skylight_sh"
+    for path in sorted(package.rglob("*.py")):
+        expected = set()
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            names = []
+            if isinstance(node, ast.ImportFrom) and node.module:
+                names = [node.module, *(f"{node.module}.{alias.name}" for alias in node.names)]
+            elif isinstance(node, ast.Import):
+                names = [alias.name for alias in node.names]
+            for name in names:
+                if name.split(".")[0] == "skylight_sh":
+                    place = ROOT / "pipeline" / name.replace(".", "/")
+                    expected |= {p for p in (place.with_suffix(".py"), place / "__init__.py") if p.is_file()}
+        assert expected <= set(code._imported(path)) | {package / "__init__.py"}, path

@@ -11,18 +11,17 @@ import numpy as np
 import pytest
 from conftest import ONE_LAYOUT, ROOT, run_quietly, scene_config
 from numpy.typing import NDArray
+from skylight_sh import runtime, sphere
+from skylight_sh.config import Config, ConfigError, load, parse
+from skylight_sh.config.sun_range import zenith_range
+from skylight_sh.run.runner import Result
+from skylight_sh.run.stages import origins
+from skylight_sh.store.store import Store
+from skylight_sh.studies.grid_samples import sample
+from skylight_sh.studies.published import exported
+from skylight_sh.studies.stability import edges
+from skylight_sh.table.errors import headline
 from test_export import STRICT
-
-from pipeline import runtime, sphere
-from pipeline.bench.exported import exported
-from pipeline.bench.samples import sample
-from pipeline.config import Config, ConfigError, load, parse
-from pipeline.config.sun import zenith_range
-from pipeline.run.runner import Result
-from pipeline.run.stages import origins
-from pipeline.stability import edges
-from pipeline.store.store import Store
-from pipeline.table.measure import headline
 
 Array = NDArray[np.float64]
 TEXT = ONE_LAYOUT.replace("[0.05, 0.01]", "[0.01]")

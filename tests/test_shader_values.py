@@ -9,13 +9,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 import shader_tools
+from skylight_sh import runtime, sphere
+from skylight_sh.export import shaders
+from skylight_sh.fit.axis import Axis
+from skylight_sh.fit.bases import BASES
+from skylight_sh.table.table import Frame, fast
 from test_shaders import MADE, Array, Floats, directions, drawn, lobe, tables
-
-from pipeline import runtime, sphere
-from pipeline.export import shaders
-from pipeline.fit.axes import Axis
-from pipeline.fit.bases import BASES
-from pipeline.table.table import Frame, fast
 
 TYPES = """
 #include <algorithm>

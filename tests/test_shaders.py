@@ -12,16 +12,15 @@ import pytest
 import shader_tools
 from conftest import ROOT, SMALL, run_quietly
 from numpy.typing import NDArray
-
-from pipeline import runtime, sphere
-from pipeline.config import ConfigError, load, loading
-from pipeline.export import npz, shaders
-from pipeline.export.shader_dialects import DIALECTS, GLSL, WGSL, expression
-from pipeline.fit.axes import Axis
-from pipeline.run.runner import Result
-from pipeline.stability.flavours import flavours
-from pipeline.table.factor import Reciprocal
-from pipeline.table.table import Frame, Table, fast
+from skylight_sh import runtime, sphere
+from skylight_sh.config import ConfigError, load, loading
+from skylight_sh.export import npz, shaders
+from skylight_sh.export.shader_dialects import DIALECTS, GLSL, WGSL, expression
+from skylight_sh.fit.axis import Axis
+from skylight_sh.run.runner import Result
+from skylight_sh.studies.stability.flavours import flavours
+from skylight_sh.table.prefactor import Reciprocal
+from skylight_sh.table.table import Frame, Table, fast
 
 Floats = NDArray[np.float32]
 Array = NDArray[np.float64]

@@ -12,8 +12,7 @@ import sphericart
 from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
-
-from pipeline import sphere
+from skylight_sh import sphere
 
 Array = NDArray[np.float64]
 

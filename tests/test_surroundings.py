@@ -9,14 +9,13 @@ import OpenImageIO
 import pytest
 from conftest import ONE_LAYOUT, run_quietly, scene_config
 from numpy.typing import NDArray
-
-from pipeline import runtime, sphere
-from pipeline.config import Config, ConfigError
-from pipeline.light import spherical
-from pipeline.probe.layouts import patches
-from pipeline.run import plan
-from pipeline.run.runner import steps
-from pipeline.table.surroundings import Surroundings, build, mask_bands
+from skylight_sh import runtime, sphere
+from skylight_sh.config import Config, ConfigError
+from skylight_sh.light import spherical_lights
+from skylight_sh.probe.layouts import patches
+from skylight_sh.run import plan
+from skylight_sh.run.runner import steps
+from skylight_sh.table.surroundings import Surroundings, build, mask_bands
 
 Array = NDArray[np.float64]
 TEXT = ONE_LAYOUT.replace("[0.05, 0.01]", "[0.01]").replace('["bands"]', '["surroundings"]')
@@ -58,7 +57,7 @@ def test_nothing_changes_nothing() -> None:
 
 
 def test_a_shadow_is_everything_but_a_cap() -> None:
-    angle, direction = spherical.half_angles([[1.0, -2.0, 2.0]], [1.0])
+    angle, direction = spherical_lights.half_angles([[1.0, -2.0, 2.0]], [1.0])
     around = build(BANDS, occluders=(angle, direction))
     shade = constant(1.0) - sphere.aim(sphere.cap(angle[0], BANDS), direction[0])
     assert np.abs(around.apply(constant(1.0)[np.newaxis], BANDS)[0] - shade).max() < 1e-13
@@ -110,8 +109,8 @@ def test_opaque_clouds_and_the_ground_below() -> None:
 @pytest.mark.parametrize("height", [4.0, -4.0])
 def test_lamps_do_not_light_the_ground(height: float) -> None:
     """With a speck that hides nothing and without: the sky's ground, and the lamp."""
-    lamp = np.multiply.outer([7.0, 8.0, 9.0], spherical.spheres([0.0, 1.0, height], 0.5, BANDS))
-    speck = spherical.half_angles([[0.0, 0.0, 9e6]], [1e-3])
+    lamp = np.multiply.outer([7.0, 8.0, 9.0], spherical_lights.spheres([0.0, 1.0, height], 0.5, BANDS))
+    speck = spherical_lights.half_angles([[0.0, 0.0, 9e6]], [1e-3])
     masked = build(BANDS, occluders=speck, albedo=[0.5] * 3, lights=lamp).apply(SKY, BANDS)
     assert np.abs(masked - (sphere.add_ground(SKY, [0.5] * 3, BANDS) + lamp)).max() < 1e-12
 
@@ -152,7 +151,7 @@ def test_a_run_hides_shines_and_turns(tmp_path: Path) -> None:
     weights = constant(0.25, 2)
     weights[3] = -0.25 * np.sqrt(4 * np.pi / 3)
     weights = sphere.product(sphere.horizon(0.0, WIDE), weights, WIDE)
-    shone = np.multiply.outer([9000.0, 8000.0, 7000.0], spherical.spheres([0.0, 3.0, 4.0], 1.0, BANDS))
+    shone = np.multiply.outer([9000.0, 8000.0, 7000.0], spherical_lights.spheres([0.0, 3.0, 4.0], 1.0, BANDS))
     for azimuth in (0.3, 2.0, -1.0):
         sky = plain.weights(0.8, azimuth, 3.3).astype(np.float64)
         expected = sphere.cover(sky, weights, np.array([4000.0, 5000.0, 6000.0]), BANDS) + shone

@@ -7,15 +7,14 @@ from typing import Any
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-
-from pipeline import runtime, sphere
-from pipeline.fit.axes import Axis
-from pipeline.light import Preetham
-from pipeline.table import bits, factor, packed, rows, surroundings, twilight
-from pipeline.table.factor import ClosedForm, Reciprocal
-from pipeline.table.layout import layout
-from pipeline.table.surroundings import Surroundings
-from pipeline.table.table import Frame, Table, carried, fast, small
+from skylight_sh import runtime, sphere
+from skylight_sh.fit.axis import Axis
+from skylight_sh.light import Preetham
+from skylight_sh.table import bits, packed, prefactor, rows, surroundings, twilight
+from skylight_sh.table.prefactor import ClosedForm, Reciprocal
+from skylight_sh.table.row_layout import layout
+from skylight_sh.table.surroundings import Surroundings
+from skylight_sh.table.table import Frame, Table, carried, fast, small
 
 Array = NDArray[np.float64]
 ZENITH = Axis("sun_zenith", 0.0, float(np.pi / 2), map="reciprocal", point=5.0)
@@ -122,9 +121,9 @@ def test_prefactors_count_what_stands_in_their_code() -> None:
     # 2 + 0.3 T1(v) + 0.4 T1(u) + 0.1 T1(u) T1(v) at two places.
     found = Reciprocal(np.array([[2.0, 0.3], [0.4, 0.1]]))
     axes = (Axis("a", 0.0, 1.0), Axis("b", 0.0, 4.0))
-    got = factor.evaluate(found, axes, np.array([[0.75, 1.0], [0.0, 4.0]]))
+    got = prefactor.evaluate(found, axes, np.array([[0.75, 1.0], [0.0, 4.0]]))
     assert got == pytest.approx([1 / (2 - 0.15 + 0.2 - 0.025), 1 / (2 + 0.3 - 0.4 - 0.1)])
-    assert factor.evaluate(None, axes, np.zeros((3, 2))).tolist() == [1.0] * 3
+    assert prefactor.evaluate(None, axes, np.zeros((3, 2))).tolist() == [1.0] * 3
 
 
 def test_limits_leave_a_millionth() -> None:

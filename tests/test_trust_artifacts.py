@@ -9,15 +9,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 from conftest import SMALL
+from skylight_sh.config import Config, load
+from skylight_sh.run import plan
+from skylight_sh.run.runner import run, steps
+from skylight_sh.store import hdf5
+from skylight_sh.store.hdf5 import CorruptArtifactError
+from skylight_sh.store.store import Entry, Store
 from test_cli import invoke
 from test_run import published
-
-from pipeline.config import Config, load
-from pipeline.run import plan
-from pipeline.run.runner import run, steps
-from pipeline.store import hdf5
-from pipeline.store.hdf5 import CorruptArtifactError
-from pipeline.store.store import Entry, Store
 
 SWAPS = 100
 # What of tests/small.toml each config changes: some artifacts are shared, most are not.

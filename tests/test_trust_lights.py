@@ -12,12 +12,11 @@ import pytest
 from click.testing import CliRunner
 from conftest import run_quietly
 from numpy.typing import NDArray
-
-from pipeline import runtime
-from pipeline.cli import main
-from pipeline.config import load
-from pipeline.fit.errors import Reference
-from pipeline.light import (
+from skylight_sh import runtime
+from skylight_sh.cli.main import main
+from skylight_sh.config import load
+from skylight_sh.fit.errors import Reference
+from skylight_sh.light import (
     BlackBox,
     CieGeneral,
     CieTraditional,
@@ -33,11 +32,11 @@ from pipeline.light import (
     Preetham,
     installed,
 )
-from pipeline.run.runner import Result
-from pipeline.table import believable
-from pipeline.table.measure import measure
-from pipeline.truth.samples import Samples
-from pipeline.truth.vet import check_samples, vet
+from skylight_sh.quadrature.samples import Samples
+from skylight_sh.quadrature.validation import check_samples, vet
+from skylight_sh.run.runner import Result
+from skylight_sh.table import validation
+from skylight_sh.table.errors import measure
 
 Array = NDArray[np.float64]
 
@@ -48,7 +47,7 @@ import dataclasses
 
 import numpy as np
 
-from pipeline.light import Domain, Hints, Preetham
+from skylight_sh.light import Domain, Hints, Preetham
 
 KNOWN = Preetham().hints.prefactor
 
@@ -403,13 +402,13 @@ def test_preetham_is_looked_at_in_less_than_50_ms() -> None:
 def test_errors_relative_to_no_light_are_refused(value: float) -> None:
     for convention, told in (("mean", "mean luminance"), ("per-set", "least luminance")):
         with pytest.raises(LightError, match=rf"relative to the {told}, which is .* at the parameters 0\.5, 2, but must"):
-            believable.check_scales({convention: np.array([1.0, value])}, np.array([[0.1, 1.0], [0.5, 2.0]]))
+            validation.check_scales({convention: np.array([1.0, value])}, np.array([[0.1, 1.0], [0.5, 2.0]]))
 
 
 @pytest.mark.parametrize("value", [-1e-9, np.nan, np.inf])
 def test_an_error_that_is_none_is_refused(value: float) -> None:
     with pytest.raises(LightError, match="A table's E_mean is"):
-        believable.check_errors({"E_max": np.zeros(2), "E_mean": np.array([[0.1, value]])})
+        validation.check_errors({"E_max": np.zeros(2), "E_mean": np.array([[0.1, value]])})
 
 
 @pytest.mark.parametrize(("least", "mean"), [(-1.0, -5.0), (0.0, 0.0), (0.0, np.nan)])

@@ -16,13 +16,14 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 from conftest import ROOT, SMALL
+from skylight_sh.cli.main import main
+from skylight_sh.light import LightError, Plugin
+from skylight_sh.run import executors
+from skylight_sh.run.executors import WorkerError, map_tasks
+from skylight_sh.run.fingerprint import fingerprint, in_use
+from skylight_sh.store.store import Store
 
-from pipeline.cli import main
-from pipeline.light import LightError, Plugin
-from pipeline.run import executors
-from pipeline.run.executors import WorkerError, map_tasks
-from pipeline.run.fingerprint import fingerprint, in_use
-from pipeline.store.store import Store
+PACKAGE = ROOT / "pipeline" / "skylight_sh"
 
 
 @dataclass(frozen=True)
@@ -35,8 +36,8 @@ class Place:
 
 def other_code(folder: Path) -> None:
     """A copy of the package with one constant of the sky changed in its last digit."""
-    shutil.copytree(ROOT / "pipeline", folder / "pipeline", ignore=shutil.ignore_patterns("__pycache__"))
-    source = folder / "pipeline" / "light" / "preetham.py"
+    shutil.copytree(PACKAGE, folder / "skylight_sh", ignore=shutil.ignore_patterns("__pycache__"))
+    source = folder / "skylight_sh" / "light" / "preetham.py"
     text = source.read_text(encoding="utf-8")
     assert "4.0453 * tau" in text
     source.write_text(text.replace("4.0453 * tau", "4.0454 * tau"), encoding="utf-8")
@@ -44,19 +45,19 @@ def other_code(folder: Path) -> None:
 
 def other_numpy(folder: Path) -> None:
     """The same package, and metadata of a NumPy that was never released."""
-    (folder / "pipeline").symlink_to(ROOT / "pipeline")
+    (folder / "skylight_sh").symlink_to(PACKAGE)
     (folder / "numpy-1.2.3.dist-info").mkdir()
     (folder / "numpy-1.2.3.dist-info" / "METADATA").write_text("Name: numpy\nVersion: 1.2.3\n", encoding="utf-8")
 
 
 def no_package(folder: Path) -> None:
     """Somebody else's module of that name: a package of theirs would be filled up by an editable installation of ours."""
-    (folder / "pipeline.py").touch()
+    (folder / "skylight_sh.py").touch()
 
 
 def other_light(folder: Path) -> None:
     """The same package, and another state of the other package's light, of the same version."""
-    (folder / "pipeline").symlink_to(ROOT / "pipeline")
+    (folder / "skylight_sh").symlink_to(PACKAGE)
     text = (ROOT / "tests" / "example_light" / "example_light.py").read_text(encoding="utf-8")
     assert "1000.0 * glow" in text
     (folder / "example_light.py").write_text(text.replace("1000.0 * glow", "1001.0 * glow"), encoding="utf-8")
@@ -120,7 +121,7 @@ def test_other_code_ends_a_run_with_one_message_and_nothing_of_it_is_kept(places
     [
         ("other_code", r"worker tcp://127\.0\.0\.1:\d+ .*the code of skylight-sh is \w{12} there and \w{12} here"),
         ("other_numpy", r"worker tcp://127\.0\.0\.1:\d+ .*: numpy is 1\.2\.3 there and \d.* here\. "),
-        ("no_package", r"worker tcp://127\.0\.0\.1:\d+ has no skylight-sh.*No module named 'pipeline\.run.*Install"),
+        ("no_package", r"worker tcp://127\.0\.0\.1:\d+ has no skylight-sh.*No module named 'skylight_sh\.run.*Install"),
         (
             "other_light",
             r"light example_glow is example-light 1\.0 code \w{12} there and example-light 1\.0 code \w{12} here",
@@ -145,10 +146,10 @@ def test_a_worker_that_began_with_other_code_goes_on_with_it(places: dict[str, P
         return str(caught.value)
 
     before = ask()
-    source = places["other_code"].folder / "pipeline" / "light" / "preetham.py"
+    source = places["other_code"].folder / "skylight_sh" / "light" / "preetham.py"
     other = source.read_bytes()
     # Its files are now as here; what it has loaded is not.
-    shutil.copy(ROOT / "pipeline" / "light" / "preetham.py", source)
+    shutil.copy(PACKAGE / "light" / "preetham.py", source)
     try:
         assert ask() == before
     finally:

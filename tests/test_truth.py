@@ -8,11 +8,10 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 from scipy import integrate, optimize
-
-from pipeline import sphere
-from pipeline.light import CieGeneral, Light, Preetham
-from pipeline.truth import converge, least, samples, sampling
-from pipeline.truth import sets as parameter_sets
+from skylight_sh import sphere
+from skylight_sh.light import CieGeneral, Light, Preetham
+from skylight_sh.quadrature import convergence, least_luminance, samples, sampling
+from skylight_sh.quadrature import parameter_points as parameter_sets
 
 Array = NDArray[np.float64]
 
@@ -57,7 +56,7 @@ def adaptive(light: Light, values: tuple[float, ...], tolerance: float) -> Array
 @pytest.mark.parametrize("values", [*map(tuple, RANDOM), *EDGES])
 def test_weights_match_adaptive_integration_in_zenith_coordinates(values: tuple[float, float]) -> None:
     light = Preetham()
-    nodes, estimate = converge.choose_nodes(light, RANGES, bands=BANDS, mirrored=True, tolerance=1e-10)
+    nodes, estimate = convergence.choose_nodes(light, RANGES, bands=BANDS, mirrored=True, tolerance=1e-10)
     got = weights(light, values, nodes)
     expected = adaptive(light, values, 2e-11)
     scale = np.abs(expected).max(axis=1, keepdims=True)
@@ -85,8 +84,8 @@ class Lopsided:
 
 def test_a_light_without_mirror_symmetry_keeps_its_sine_orders() -> None:
     light = Lopsided()
-    assert not converge.is_mirrored(light, RANGES)
-    assert converge.is_mirrored(Preetham(), RANGES)
+    assert not convergence.is_mirrored(light, RANGES)
+    assert convergence.is_mirrored(Preetham(), RANGES)
     got = weights(light, (1.0, 4.0), 64, mirrored=False, bands=4)
     z, w = np.polynomial.legendre.leggauss(400)
     z, w = (z + 1) / 2, w / 2
@@ -127,7 +126,7 @@ def test_least_luminance_search_reaches_the_horizon() -> None:
     start = np.array([[np.sin(1.5), 0.0, np.cos(1.5)]])
     parameters = {"sun_zenith": np.array([0.0])}
     light = CieGeneral(sky=1)
-    got = least.refine(light, parameters, start, light.radiance(start, {"sun_zenith": np.zeros(1)})[:, 0])
+    got = least_luminance.refine(light, parameters, start, light.radiance(start, {"sun_zenith": np.zeros(1)})[:, 0])
     # The overcast sky's gradation falls to 1 on the horizon, over 1 + a exp(b) at the zenith.
     assert got[0] == pytest.approx(1.0 / (1.0 + 4.0 * np.exp(-0.7)), rel=1e-4)
 
@@ -138,7 +137,7 @@ def test_rule_says_so_when_it_cannot_converge() -> None:
             return self.sky.radiance(directions, parameters) * np.where(directions[..., :1] > 0.2, 2.0, 1.0)
 
     with pytest.raises(samples.NotConvergedError, match=r"truth\.tolerance"):
-        converge.choose_nodes(
+        convergence.choose_nodes(
             Torn(), {"sun_zenith": (0.3, 1.0), "turbidity": (3.0, 4.0)}, bands=3, mirrored=True, tolerance=1e-10
         )
 

@@ -8,12 +8,12 @@ from collections.abc import Callable, Mapping
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-
-from pipeline import sphere
-from pipeline.light import Domain, Hints, Preetham
-from pipeline.truth import adaptive, converge, daylight, fixed, least, rings, sun_centred
-from pipeline.truth.rules import RULES, suited
-from pipeline.truth.samples import Samples, keep_least
+from skylight_sh import sphere
+from skylight_sh.light import Domain, Hints, Preetham
+from skylight_sh.quadrature import adaptive, convergence, fixed, least_luminance, rings, sun_centred
+from skylight_sh.quadrature.registry import RULES, suited
+from skylight_sh.quadrature.samples import Samples, keep_least
+from skylight_sh.scene import clear_day
 
 Array = NDArray[np.float64]
 HALF_PI = float(np.pi / 2)
@@ -167,7 +167,7 @@ def test_ladders_start_where_the_bands_ask() -> None:
 def test_nodes_are_chosen_on_five_values_an_axis() -> None:
     light = Seen(Hints(peak_axis="sun_zenith"))
     ranges = {"sun_zenith": (0.25, 1.25), "haze": (1.0, 3.0)}
-    nodes, estimate = converge.choose_nodes(light, ranges, bands=3, mirrored=True, tolerance=1e-10)
+    nodes, estimate = convergence.choose_nodes(light, ranges, bands=3, mirrored=True, tolerance=1e-10)
     # The coarser of the two that agree, by 24 and by 32 nodes.
     assert nodes == 24
     assert estimate < 1e-12
@@ -177,13 +177,13 @@ def test_nodes_are_chosen_on_five_values_an_axis() -> None:
     assert sorted(set(hazes)) == pytest.approx([1.0, 1.5, 2.0, 2.5, 3.0])
     # Two runs of two pieces, the full circles and the arcs.
     assert hazes.size == 2 * 2 * 25
-    assert converge.choose_nodes(light, ranges, rule="adaptive", bands=3, mirrored=True, tolerance=1e-6)[0] == 0
+    assert convergence.choose_nodes(light, ranges, rule="adaptive", bands=3, mirrored=True, tolerance=1e-6)[0] == 0
 
 
 def test_symmetry_is_asked_for_in_512_seeded_directions_to_1e_12() -> None:
     ranges = {"sun_zenith": (0.25, 1.25), "haze": (1.0, 3.0)}
     light = Seen()
-    assert converge.is_mirrored(light, ranges)
+    assert convergence.is_mirrored(light, ranges)
     drawn = np.random.default_rng(1).normal(size=(512, 3))
     drawn[:, 2] = np.abs(drawn[:, 2])
     drawn /= np.linalg.norm(drawn, axis=1, keepdims=True)
@@ -193,8 +193,8 @@ def test_symmetry_is_asked_for_in_512_seeded_directions_to_1e_12() -> None:
     values = np.random.default_rng(1).random((512, 2))
     assert light.parameters[0]["sun_zenith"] == pytest.approx(0.25 + values[:, 0])
     assert light.parameters[0]["haze"] == pytest.approx(1.0 + 2.0 * values[:, 1])
-    assert converge.is_mirrored(Seen(side=0.4e-12), ranges)
-    assert not converge.is_mirrored(Seen(side=0.6e-12), ranges)
+    assert convergence.is_mirrored(Seen(side=0.4e-12), ranges)
+    assert not convergence.is_mirrored(Seen(side=0.6e-12), ranges)
 
 
 def test_the_least_is_kept_with_its_direction() -> None:
@@ -210,7 +210,7 @@ def test_the_search_for_the_least_walks_in_thirds_of_a_twentieth() -> None:
     """Eight neighbours, a step of 0.05 rad to begin with; each failure ends a step, until it would be below 5e-4."""
     light = Seen()
     start = np.array([[np.sin(1.0), 0.0, np.cos(1.0)]])
-    assert least.refine(light, {"sun_zenith": np.zeros(1)}, start, np.array([0.5])).tolist() == [0.5]
+    assert least_luminance.refine(light, {"sun_zenith": np.zeros(1)}, start, np.array([0.5])).tolist() == [0.5]
     steps = [0.05 / 3**k for k in range(5)]
     assert len(light.directions) == len(steps)
     for step, tried in zip(steps, light.directions, strict=True):
@@ -272,13 +272,13 @@ def test_neighbouring_cells_differ_by_one_halving_at_most(turn: int) -> None:
 
 def test_daylight_of_the_literature() -> None:
     """The Explanatory Supplement's logarithms at its joints, and IES RP-21's clear day at the zenith."""
-    assert np.log10(daylight.twilight(np.radians([0.0, 0.9, 4.5]))) == pytest.approx(
+    assert np.log10(clear_day.twilight(np.radians([0.0, 0.9, 4.5]))) == pytest.approx(
         [2.88, 2.88 - 0.2181 - 0.025811 + 0.00085836, 2.88 - 1.0905 - 0.645275 + 0.107295], abs=1e-9
     )
-    assert np.log10(daylight.twilight(np.radians([9.0, 11.7]))) == pytest.approx(
+    assert np.log10(clear_day.twilight(np.radians([9.0, 11.7]))) == pytest.approx(
         [2.70 - 1.217 - 4.3169 + 1.89983, 2.70 - 1.5821 - 7.295561 + 4.17392651], abs=1e-9
     )
-    sky, sun = daylight.published(np.array([0.0, np.pi / 3]))
+    sky, sun = clear_day.published(np.array([0.0, np.pi / 3]))
     assert sky == pytest.approx([16_300.0, 800.0 + 15_500.0 * np.sqrt(0.5)])
     assert sun[0] == pytest.approx(127_500.0 * np.exp(-0.21), rel=1e-3)
     assert sun[1] == pytest.approx(127_500.0 * np.exp(-0.21 * 1.995) / 2, rel=1e-3)

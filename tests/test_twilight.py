@@ -11,14 +11,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 from conftest import ROOT, SMALL, run_quietly
+from skylight_sh import runtime
+from skylight_sh.config import ConfigError, parse
+from skylight_sh.export import day, engines, npz, solar
+from skylight_sh.scene import clear_day
+from skylight_sh.table import twilight
+from skylight_sh.table.surroundings import Surroundings
 from test_cli import invoke
-
-from pipeline import runtime
-from pipeline.config import ConfigError, parse
-from pipeline.export import day, engines, npz, sun
-from pipeline.table import twilight
-from pipeline.table.surroundings import Surroundings
-from pipeline.truth import daylight
 
 TEXT = SMALL.read_text(encoding="utf-8")
 HORIZON = np.pi / 2
@@ -38,7 +37,7 @@ def test_the_fade_is_smooth_and_ends() -> None:
 
 def test_the_fade_is_as_dark_as_measured() -> None:
     """What is measured falls to 3.4 lx at the end of civil twilight and to 0.008 lx at that of nautical twilight."""
-    sunset, civil, nautical = daylight.twilight(np.radians([0.0, 6.0, 12.0]))
+    sunset, civil, nautical = clear_day.twilight(np.radians([0.0, 6.0, 12.0]))
     assert (sunset, civil, nautical) == (pytest.approx(759, 0.01), pytest.approx(3.4, 0.02), pytest.approx(0.008, 0.05))
     assert twilight.fade(HORIZON + np.radians(6.0)) == pytest.approx(civil / sunset, rel=0.35)
 
@@ -66,7 +65,9 @@ def test_lamps_shine_at_night() -> None:
     lamps = np.arange(3.0 * table.bands**2).reshape(3, -1)
     lit = runtime.Runtime(dataclasses.replace(table, twilight=True, surroundings=Surroundings(own=lamps)))
     night = datetime(2024, 3, 20, tzinfo=UTC).date()
-    request = day.Request("filament-radiance", sun.Place(48.2, 16.4), night, {"turbidity": 3.0}, night="zero", exposure=0.5)
+    request = day.Request(
+        "filament-radiance", solar.Place(48.2, 16.4), night, {"turbidity": 3.0}, night="zero", exposure=0.5
+    )
     made = day.tabulate(lit, request)
     expected = engines.convert(
         lamps[np.newaxis, :, : made.numbers.shape[-1]], engines.PROFILES["filament-radiance"], exposure=0.5

@@ -7,9 +7,8 @@ from itertools import product
 
 import numpy as np
 from numpy.typing import NDArray
-
-from pipeline.export import vectors
-from pipeline.stability.flavours import flavours
+from skylight_sh.export import vectors
+from skylight_sh.studies.stability.flavours import flavours
 
 Singles = NDArray[np.float32]
 

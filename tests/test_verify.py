@@ -12,14 +12,13 @@ import numpy as np
 import pytest
 from click.testing import CliRunner
 from conftest import SMALL
-
-from pipeline.cli import main
-from pipeline.config import load
-from pipeline.export import npz
-from pipeline.run.provenance import whole_settings
-from pipeline.run.runner import Result
-from pipeline.run.verify import differences, released_config
-from pipeline.table.rows import Rows
+from skylight_sh.cli.main import main
+from skylight_sh.config import load
+from skylight_sh.export import npz
+from skylight_sh.run.provenance import whole_settings
+from skylight_sh.run.runner import Result
+from skylight_sh.run.verify import differences, released_config
+from skylight_sh.table.rows import Rows
 
 
 @pytest.fixture

@@ -6,8 +6,7 @@ from collections.abc import Mapping
 
 import numpy as np
 from numpy.typing import NDArray
-
-from pipeline.light import Domain, Hints
+from skylight_sh.light import Domain, Hints
 
 Array = NDArray[np.float64]
 

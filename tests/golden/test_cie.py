@@ -7,9 +7,9 @@ from typing import Any
 
 import numpy as np
 import pytest
+from skylight_sh.light import CieGeneral, CieTraditional
 
 from golden.oracles import angle, hemisphere, towards, upper
-from pipeline.light import CieGeneral, CieTraditional
 
 # ISO 15469:2004 (CIE S 011), tables 1 and 2: six gradation groups (a, b), six indicatrix groups (c, d, e), fifteen types.
 GRADATION = {

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from skylight_sh.light import colour
 
 from golden.oracles import REC709, WHITE, xyz_to_rgb
-from pipeline.light import colour
 
 BRADFORD = np.array([[0.8951, 0.2664, -0.1614], [-0.7502, 1.7135, 0.0367], [0.0389, -0.0685, 1.0296]])  # Lam 1985
 

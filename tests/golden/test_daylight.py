@@ -7,11 +7,11 @@ import math
 import numpy as np
 import pytest
 from scipy import integrate
+from skylight_sh.light import sun_disc
+from skylight_sh.scene import clear_day
+from skylight_sh.table import twilight
 
 from golden.oracles import hemisphere, preetham_xyz
-from pipeline.light import sun
-from pipeline.table import twilight
-from pipeline.truth import daylight
 
 # Explanatory Supplement (Seidelmann 1992), section 9.3, eq. 9.35 and its table: log10 of lux over x = altitude / 90 degrees.
 # Vallado 2022, table 5-1, prints the same numbers.
@@ -26,40 +26,40 @@ def lux(k: tuple[float, ...], altitude: float) -> float:
 
 @pytest.mark.parametrize("degrees", [0.9, 2.0, 3.3, 4.9])
 def test_civil_twilight(degrees: float) -> None:
-    assert float(daylight.twilight(math.radians(degrees))) == pytest.approx(lux(EARLY, -degrees), rel=1e-11)
+    assert float(clear_day.twilight(math.radians(degrees))) == pytest.approx(lux(EARLY, -degrees), rel=1e-11)
 
 
 @pytest.mark.parametrize("degrees", [5.1, 6.0, 9.0, 12.0])
 def test_nautical_twilight(degrees: float) -> None:
-    assert float(daylight.twilight(math.radians(degrees))) == pytest.approx(lux(LATE, -degrees), rel=1e-11)
+    assert float(clear_day.twilight(math.radians(degrees))) == pytest.approx(lux(LATE, -degrees), rel=1e-11)
 
 
 @pytest.mark.parametrize("degrees", [0.0, 0.4, 0.8])
 def test_the_first_minutes_of_dusk_are_continued(degrees: float) -> None:
     """Down to 0.8 degrees the source has a polynomial of its own, which the one used here meets to 1 %."""
-    assert float(daylight.twilight(math.radians(degrees))) == pytest.approx(lux(RISING, -degrees), rel=0.01)
+    assert float(clear_day.twilight(math.radians(degrees))) == pytest.approx(lux(RISING, -degrees), rel=0.01)
 
 
 def test_published_illuminance() -> None:
     """IES RP-21 (1984), clear sky: E_sky = 0.8 + 15.5 sqrt(sin h) klx; 127.5 klx and an extinction of 0.21 an air mass."""
     for degrees in (5.0, 30.0, 75.0):
         theta = math.radians(degrees)
-        sky, disc = daylight.published(theta)
+        sky, disc = clear_day.published(theta)
         assert float(sky) == pytest.approx(1000 * (0.8 + 15.5 * math.sqrt(math.sin(math.radians(90 - degrees)))), rel=1e-13)
         mass = 1 / (math.cos(theta) + 0.15 * (93.885 - degrees) ** -1.253)  # Kasten 1965, as RP-21 itself has it
         assert float(disc) == pytest.approx(127_500 * math.exp(-0.21 * mass) * math.cos(theta), rel=1e-12)
-    assert daylight.SOLAR == 127_500
+    assert clear_day.SOLAR == 127_500
 
 
 def test_clear_day_is_the_sky_and_the_suns_cosine() -> None:
     zeniths, tau = np.radians([10.0, 55.0, 80.0]), 3.0
-    sky, disc = daylight.clear_day(zeniths, tau)
+    sky, disc = clear_day.clear_day(zeniths, tau)
     where, solid = hemisphere(64)
     for i, theta in enumerate(zeniths.tolist()):
         expected = (preetham_xyz("published", where, theta, tau)[:, 1] * where[:, 2]) @ solid
         assert sky[i] == pytest.approx(expected, rel=2e-4)
         # XYZ of the disc: the first Y of colour's luminance row is inside normal_illuminance, which test_sun holds.
-        assert disc[i] == pytest.approx(float(sun.normal_illuminance(theta, tau)) * math.cos(theta), rel=1e-12)
+        assert disc[i] == pytest.approx(float(sun_disc.normal_illuminance(theta, tau)) * math.cos(theta), rel=1e-12)
 
 
 def test_the_fade_is_its_formula() -> None:

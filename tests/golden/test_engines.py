@@ -7,9 +7,9 @@ import math
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from skylight_sh.export.engines import HALF_MAX, PROFILES, convert, parse_axes
 
 from golden.oracles import basis, degrees, lobe, orders
-from pipeline.export.engines import HALF_MAX, PROFILES, convert, parse_axes
 
 Array = NDArray[np.float64]
 

@@ -6,13 +6,13 @@ import math
 
 import numpy as np
 import pytest
+from skylight_sh.fit import errors, least_squares
+from skylight_sh.fit.axis import Axis
+from skylight_sh.fit.minimax import Sampled
+from skylight_sh.table.errors import headline, least_reconstructed, measure
+from skylight_sh.table.table import Frame, whole
 
 from golden.oracles import hemisphere
-from pipeline.fit import errors, solve
-from pipeline.fit.axes import Axis
-from pipeline.fit.weighted import Sampled
-from pipeline.table.measure import headline, least_reconstructed, measure
-from pipeline.table.table import Frame, whole
 
 DEGREES = np.array([0, 1, 1, 1])
 
@@ -74,4 +74,4 @@ def test_a_constant_tables_figures() -> None:
 
 def test_condition_is_a_product_of_singular_values() -> None:
     one, other = np.diag([3.0, 1.0]), np.diag([5.0, 2.0])
-    assert solve.condition([one, other]) == pytest.approx(7.5, rel=1e-14)
+    assert least_squares.condition([one, other]) == pytest.approx(7.5, rel=1e-14)

@@ -13,15 +13,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from skylight_sh import runtime
+from skylight_sh.export import c_header, paper_literal, shaders
+from skylight_sh.export.c_header import Facts
+from skylight_sh.fit.axis import Axis
+from skylight_sh.light import Perez, Preetham
+from skylight_sh.table.prefactor import ClosedForm, Factor, Reciprocal
+from skylight_sh.table.table import Frame, Table, fast
 
 from golden.oracles import basis, degrees, hemisphere, lobe, orders, preetham_shape, sinc, upper
-from pipeline import runtime
-from pipeline.export import c_header, paper_literal, shaders
-from pipeline.export.c_header import Facts
-from pipeline.fit.axes import Axis
-from pipeline.light import Perez, Preetham
-from pipeline.table.factor import ClosedForm, Factor, Reciprocal
-from pipeline.table.table import Frame, Table, fast
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]

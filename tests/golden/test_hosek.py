@@ -8,9 +8,9 @@ import colour as colour_science
 import mitsuba
 import numpy as np
 import pytest
+from skylight_sh.light import MitsubaSunsky
 
 from golden.oracles import towards, upper
-from pipeline.light import MitsubaSunsky
 
 # lm/W at the peak of V(lambda): 683 at 540 THz, 555.016 nm in air (CIE 15:2004); colour-science: 683 for the frequency.
 PEAK = 683.002

@@ -6,18 +6,18 @@ import math
 
 import numpy as np
 import pytest
+from skylight_sh.light import spherical_lights
 
 from golden.oracles import basis, gauss, towards
-from pipeline.light import spherical
 
 
 def test_a_sphere_is_seen_as_the_disc_that_its_tangents_cut() -> None:
     """sin of the half-angle is radius over distance (Euclid, Optics 23); 3-4-5 triangles by hand."""
-    angle, direction = spherical.half_angles([[0.0, 0.0, 5.0], [6.0, 0.0, 8.0]], [3.0, 5.0])
+    angle, direction = spherical_lights.half_angles([[0.0, 0.0, 5.0], [6.0, 0.0, 8.0]], [3.0, 5.0])
     assert angle == pytest.approx([math.asin(0.6), math.pi / 6], rel=1e-14)
     assert direction == pytest.approx(np.array([[0, 0, 1], [0.6, 0, 0.8]]), abs=1e-14)
     # Seen from elsewhere.
-    moved, _ = spherical.half_angles([0.0, 0.0, 5.0], 3.0, [0.0, 0.0, -5.0])
+    moved, _ = spherical_lights.half_angles([0.0, 0.0, 5.0], 3.0, [0.0, 0.0, -5.0])
     assert float(moved) == pytest.approx(math.asin(0.3), rel=1e-14)
 
 
@@ -29,17 +29,17 @@ def test_a_sphere_of_radiance_one_in_weights() -> None:
     local = np.stack(np.broadcast_arrays(flat * np.cos(phi), flat * np.sin(phi), z[:, np.newaxis]), axis=-1).reshape(-1, 3)
     frame = np.stack([towards(0.9 - math.pi / 2, 0.4), towards(math.pi / 2, 0.4 + math.pi / 2), axis])
     expected = np.repeat(w * math.pi / 12, 24) @ basis(local @ frame, 5)
-    assert spherical.spheres(5 * axis, 3.0, 5) == pytest.approx(expected, abs=1e-13)
-    assert spherical.discs(half, 7 * axis, 5) == pytest.approx(expected, abs=1e-13)
+    assert spherical_lights.spheres(5 * axis, 3.0, 5) == pytest.approx(expected, abs=1e-13)
+    assert spherical_lights.discs(half, 7 * axis, 5) == pytest.approx(expected, abs=1e-13)
 
 
 def test_a_point_falls_with_the_square_of_its_distance() -> None:
     """Lambert 1760: a candela at 2 m gives a quarter of a lux."""
     axis = towards(1.9, -0.7)
     pulse = basis(axis[np.newaxis], 4)[0]
-    assert spherical.points(2 * axis, 4) == pytest.approx(pulse / 4, rel=1e-12, abs=1e-15)
-    assert spherical.points(2 * axis + 1, 4, [1.0, 1.0, 1.0]) == pytest.approx(pulse / 4, rel=1e-12, abs=1e-15)
-    assert spherical.directional(3 * axis, 4) == pytest.approx(pulse, rel=1e-12, abs=1e-15)
+    assert spherical_lights.points(2 * axis, 4) == pytest.approx(pulse / 4, rel=1e-12, abs=1e-15)
+    assert spherical_lights.points(2 * axis + 1, 4, [1.0, 1.0, 1.0]) == pytest.approx(pulse / 4, rel=1e-12, abs=1e-15)
+    assert spherical_lights.directional(3 * axis, 4) == pytest.approx(pulse, rel=1e-12, abs=1e-15)
 
 
 @pytest.mark.parametrize("degrees", [0.0, 19.0, 24.0, 31.0, 39.9, 41.0, 120.0])
@@ -49,6 +49,6 @@ def test_a_spot_fades_by_smoothstep(degrees: float) -> None:
     t = (math.cos(math.radians(degrees)) - math.cos(outer)) / (math.cos(inner) - math.cos(outer))
     t = min(max(t, 0.0), 1.0)
     receiver = 3 * towards(math.radians(180 - degrees), 0.3)
-    got = spherical.spots([0.0, 0.0, 0.0], [0.0, 0.0, -2.0], inner, outer, 3, receiver)
+    got = spherical_lights.spots([0.0, 0.0, 0.0], [0.0, 0.0, -2.0], inner, outer, 3, receiver)
     expected = t * t * (3 - 2 * t) / 9 * basis(-receiver[np.newaxis] / 3, 3)[0]
     assert got == pytest.approx(expected, rel=1e-11, abs=1e-15)

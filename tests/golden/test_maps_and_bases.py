@@ -13,10 +13,9 @@ import mpmath
 import numpy as np
 import pytest
 from scipy import special
-
-from pipeline.fit.axes import Axis
-from pipeline.fit.bases import BASES
-from pipeline.fit.maps import MAPS
+from skylight_sh.fit.axis import Axis
+from skylight_sh.fit.bases import BASES
+from skylight_sh.fit.maps import MAPS
 
 Number = mpmath.mpf
 

@@ -14,6 +14,11 @@ import numpy as np
 import pytest
 from conftest import ROOT
 from numpy.typing import NDArray
+from skylight_sh.config import Config, parse
+from skylight_sh.report.figures import origins as picture
+from skylight_sh.run.stages import origins
+from skylight_sh.scene.axes import axes_of, fit_nodes
+from skylight_sh.store.dataset import Dataset, Variable
 from threadpoolctl import threadpool_limits
 
 from golden.oracles import (
@@ -29,11 +34,6 @@ from golden.oracles import (
     towards,
     xyz_to_rgb,
 )
-from pipeline.config import Config, parse
-from pipeline.report.figures import origins as picture
-from pipeline.run.stages import origins
-from pipeline.run.stages.axes import axes_of, fit_nodes
-from pipeline.store.dataset import Dataset, Variable
 
 Array = NDArray[np.float64]
 BANDS, DEGREES = 7, (13, 7)

@@ -9,9 +9,9 @@ import numpy as np
 import perezsky
 import pytest
 from perezsky.coefficients import LUMINANCE_1993
+from skylight_sh.light import Perez, perez
 
 from golden.oracles import angle, towards, upper
-from pipeline.light import Perez, perez
 
 # Perez and others 1990, table 4 "zenith luminance" (eq. 10), as Ladybug Tools and DTCC Solar print it: a, c, c', d.
 ZENITH_1990 = """

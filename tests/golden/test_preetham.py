@@ -11,6 +11,8 @@ from typing import Any
 import mpmath
 import numpy as np
 import pytest
+from skylight_sh.light import Preetham
+from skylight_sh.light.preetham import zenith_factor, zenith_luminance
 
 from golden.oracles import (
     PREETHAM,
@@ -23,8 +25,6 @@ from golden.oracles import (
     upper,
     xyz_to_rgb,
 )
-from pipeline.light import Preetham
-from pipeline.light.preetham import zenith_factor, zenith_luminance
 
 SETS = [(0.0, 2.5), (0.35, 3.1), (0.9, 5.2), (1.31, 2.0), (1.57, 9.5)]
 

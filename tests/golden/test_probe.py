@@ -10,12 +10,12 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 from scipy import integrate
+from skylight_sh import probe
+from skylight_sh.light import CieTraditional
+from skylight_sh.probe import charts, files, layouts
+from skylight_sh.report import panorama
 
 from golden.oracles import basis, degrees, gauss, towards
-from pipeline import probe
-from pipeline.light import CieTraditional
-from pipeline.probe import charts, files, layouts
-from pipeline.report import panorama
 
 Array = NDArray[np.float64]
 

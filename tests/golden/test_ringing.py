@@ -8,10 +8,10 @@ import math
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from skylight_sh.report import panorama
+from skylight_sh.report.ringing import ALBEDO, GROUNDS, measure
 
 from golden.oracles import basis, degrees, hemisphere, lobe, orders, preetham_xyz, sinc
-from pipeline.report import panorama
-from pipeline.report.ringing import ALBEDO, GROUNDS, measure
 
 Array = NDArray[np.float64]
 BANDS = (3, 5)

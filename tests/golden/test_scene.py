@@ -8,6 +8,11 @@ import numpy as np
 import pytest
 from conftest import scene_config
 from numpy.typing import NDArray
+from skylight_sh.light import sun_disc
+from skylight_sh.run.stages.fit import reference_of
+from skylight_sh.scene.fold import folded, luminance_scale, window
+from skylight_sh.store.dataset import Dataset, Variable
+from skylight_sh.table.surroundings import build
 
 from golden.oracles import (
     REC709,
@@ -23,11 +28,6 @@ from golden.oracles import (
     towards,
     xyz_to_rgb,
 )
-from pipeline.light import sun
-from pipeline.run.stages.fit import reference_of
-from pipeline.run.stages.scene import folded, luminance_scale, window
-from pipeline.store.dataset import Dataset, Variable
-from pipeline.table.surroundings import build
 
 Array = NDArray[np.float64]
 BANDS = 4
@@ -72,7 +72,7 @@ def test_ground_and_sun(theta: float, tau: float, shines: bool) -> None:
     fallen, whole = (values * (SOLID * ABOVE[:, 2])[:, np.newaxis]).sum(axis=0), black.copy()
     if shines:
         where, solid = disc(theta)
-        colour = sun.radiance(theta, tau)
+        colour = sun_disc.radiance(theta, tau)
         whole += np.multiply.outer(colour, solid @ basis(where, BANDS))
         fallen = fallen + colour * float(np.maximum(where[:, 2], 0) @ solid)
     ground = project(np.broadcast_to(albedo * fallen / math.pi, (len(BELOW), 3)), BELOW, SOLID)
@@ -92,7 +92,7 @@ def test_a_sun_that_is_setting_lights_the_ground_by_what_is_up(sunk: float) -> N
     """A black sky and a disc ``sunk`` degrees above the horizon: weights whole, irradiance that of the part above."""
     theta, tau = math.pi / 2 - math.radians(sunk), 2.5
     where, solid = disc(theta)
-    colour = sun.radiance(theta, tau)
+    colour = sun_disc.radiance(theta, tau)
     fallen = colour * float(np.maximum(where[:, 2], 0) @ solid)
     whole = np.multiply.outer(colour, solid @ basis(where, BANDS))
     ground = project(np.broadcast_to(np.array([0.1, 0.25, 0.6]) * fallen / math.pi, (len(BELOW), 3)), BELOW, SOLID)
@@ -112,7 +112,7 @@ def test_the_mirror_is_an_image() -> None:
 def test_a_sun_in_one_channel_is_its_luminance() -> None:
     theta, tau = 0.6, 3.0
     where, solid = disc(theta)
-    luminance = float(sun.radiance(theta, tau) @ np.linalg.inv(MATRIX)[1])
+    luminance = float(sun_disc.radiance(theta, tau) @ np.linalg.inv(MATRIX)[1])
     got = fold('channels = "luminance"\nsun_disc = true', np.zeros((1, BANDS**2)), np.array([theta, tau]))
     assert got[0] == pytest.approx((luminance * solid @ basis(where, BANDS))[M >= 0], rel=1e-5, abs=1e-7 * luminance)
 

@@ -11,9 +11,9 @@ import pytest
 from numpy.typing import NDArray
 from scipy import special
 from scipy.spatial.transform import Rotation
+from skylight_sh import sphere
 
 from golden.oracles import basis, degrees, gauss, hemisphere, lobe, orders, sinc, towards, upper
-from pipeline import sphere
 
 Array = NDArray[np.float64]
 

@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 from scipy import integrate
+from skylight_sh.light import sun_disc
 
 from golden.oracles import REC709, WHITE, basis, gauss, towards, xyz_to_rgb
-from pipeline.light import sun
 
 Array = NDArray[np.float64]
 MATRIX = np.round(xyz_to_rgb(REC709, WHITE), 7)
@@ -66,19 +66,19 @@ WAVELENGTHS = [*range(300, 800, 5), 759, 760, 765, 770, 771, 689, 695]
 
 @pytest.mark.parametrize(("theta", "tau"), [(0.0, 1.0), (0.4, 2.2), (1.1, 4.0), (1.45, 9.5), (math.pi / 2, 3.0)])
 def test_spectral_transmittance(theta: float, tau: float) -> None:
-    got = sun.spectral_transmittance(theta, tau, np.array(WAVELENGTHS, dtype=float))
+    got = sun_disc.spectral_transmittance(theta, tau, np.array(WAVELENGTHS, dtype=float))
     assert got == pytest.approx([transmittance(theta, tau, nm) for nm in WAVELENGTHS], rel=1e-11, abs=1e-300)
 
 
 def test_clear_air_without_aerosol_stays_clear() -> None:
     """Turbidity 1 is air without aerosol; at 550 nm Rayleigh's scattering and ozone leave 0.90 x 0.97 at the zenith."""
-    assert float(sun.spectral_transmittance(0.0, 1.0, np.array([550.0]))[0]) == pytest.approx(0.905 * 0.97, rel=0.01)
+    assert float(sun_disc.spectral_transmittance(0.0, 1.0, np.array([550.0]))[0]) == pytest.approx(0.905 * 0.97, rel=0.01)
 
 
 @pytest.mark.parametrize(("degrees", "printed"), [(0, 1.0), (60, 1.995), (80, 5.60), (85, 10.39), (90, 36.5)])
 def test_optical_mass_is_kastens(degrees: float, printed: float) -> None:
     """Kasten 1965, printed with the formula: 36.3 on the horizon, 10.4 at 85 degrees."""
-    assert float(sun.optical_mass(math.radians(degrees))) == pytest.approx(printed, rel=0.01)
+    assert float(sun_disc.optical_mass(math.radians(degrees))) == pytest.approx(printed, rel=0.01)
 
 
 def matching() -> Array:
@@ -91,37 +91,37 @@ def matching() -> Array:
 def test_radiance_and_illuminance(theta: float, tau: float) -> None:
     spectrum = [100 * float(s) * transmittance(theta, tau, 380 + 10 * i) for i, s in enumerate(SOLAR.split())]
     xyz = 683 * 10 * np.array(spectrum) @ matching()
-    assert sun.radiance(theta, tau) == pytest.approx(MATRIX @ xyz, rel=1e-5, abs=1e-5 * xyz[1])
+    assert sun_disc.radiance(theta, tau) == pytest.approx(MATRIX @ xyz, rel=1e-5, abs=1e-5 * xyz[1])
     # To rounding with the package's own rounding of the observer, whose digits test_the_observer holds.
-    exact = 683 * 10 * np.array(spectrum) @ sun.OBSERVER.T
-    assert sun.radiance(theta, tau) == pytest.approx(MATRIX @ exact, rel=1e-11)
+    exact = 683 * 10 * np.array(spectrum) @ sun_disc.OBSERVER.T
+    assert sun_disc.radiance(theta, tau) == pytest.approx(MATRIX @ exact, rel=1e-11)
     solid, _ = integrate.quad(lambda g: 2 * math.pi * math.sin(g) * math.cos(g), 0, math.radians(0.2665))
-    assert float(sun.normal_illuminance(theta, tau)) == pytest.approx(exact[1] * solid, rel=1e-9)
+    assert float(sun_disc.normal_illuminance(theta, tau)) == pytest.approx(exact[1] * solid, rel=1e-9)
 
 
 def test_the_observer() -> None:
-    assert list(sun.WAVELENGTHS) == list(range(380, 751, 10))
+    assert list(sun_disc.WAVELENGTHS) == list(range(380, 751, 10))
     # colour-science has the CIE's table with two more digits in places.
-    assert np.abs(sun.OBSERVER.T - matching()).max() < 1.1e-7
-    assert pytest.approx(matching(), rel=5e-6, abs=1e-8) == sun.OBSERVER.T
+    assert np.abs(sun_disc.OBSERVER.T - matching()).max() < 1.1e-7
+    assert pytest.approx(matching(), rel=5e-6, abs=1e-8) == sun_disc.OBSERVER.T
 
 
 def test_the_discs_size_is_the_suns() -> None:
     """IAU 2015 B3's nominal radius over the astronomical unit of IAU 2012 B2; an old 959.63 seconds of arc agree."""
     angle = math.asin(6.957e8 / 1.495978707e11)
-    assert angle == pytest.approx(sun.HALF_ANGLE, rel=3e-4)
-    assert math.radians(959.63 / 3600) == pytest.approx(sun.HALF_ANGLE, rel=3e-4)
-    assert math.radians(0.2665) == sun.HALF_ANGLE
+    assert angle == pytest.approx(sun_disc.HALF_ANGLE, rel=3e-4)
+    assert math.radians(959.63 / 3600) == pytest.approx(sun_disc.HALF_ANGLE, rel=3e-4)
+    assert math.radians(0.2665) == sun_disc.HALF_ANGLE
 
 
 def test_solar_illuminance_above_the_air() -> None:
     """IES RP-21 (1984) has 127.5 klx, ASTM E490 integrates to 133; the table stands between, with 683 lm/W."""
     above = 683 * 10 * float(sum(100 * float(s) * y for s, y in zip(SOLAR.split(), matching()[:, 1], strict=True)))
-    assert 126_000 < above * math.pi * math.sin(sun.HALF_ANGLE) ** 2 < 133_500
+    assert 126_000 < above * math.pi * math.sin(sun_disc.HALF_ANGLE) ** 2 < 133_500
 
 
 def test_the_disc_is_integrated() -> None:
-    cosine, areas = gauss(math.cos(sun.HALF_ANGLE), 1.0, 8)
+    cosine, areas = gauss(math.cos(sun_disc.HALF_ANGLE), 1.0, 8)
     phi = (np.arange(24) + 0.5) * math.pi / 12
     flat = np.sqrt(1 - cosine**2)[:, np.newaxis]
     local = np.stack(np.broadcast_arrays(flat * np.cos(phi), flat * np.sin(phi), cosine[:, np.newaxis]), axis=-1)
@@ -129,9 +129,9 @@ def test_the_disc_is_integrated() -> None:
     up, side = towards(theta - math.pi / 2, azimuth), towards(math.pi / 2, azimuth + math.pi / 2)
     where = local.reshape(-1, 3) @ np.stack([up, side, towards(theta, azimuth)])
     expected = np.repeat(areas * math.pi / 12, 24) @ basis(where, 6)
-    assert sun.disc(theta, azimuth, 6) == pytest.approx(expected, rel=1e-9, abs=1e-13)
-    lit = sun.weights(theta, azimuth, 3.0, 6)
-    assert lit == pytest.approx(np.multiply.outer(sun.radiance(theta, 3.0), expected), rel=1e-9, abs=1e-3)
+    assert sun_disc.disc(theta, azimuth, 6) == pytest.approx(expected, rel=1e-9, abs=1e-13)
+    lit = sun_disc.weights(theta, azimuth, 3.0, 6)
+    assert lit == pytest.approx(np.multiply.outer(sun_disc.radiance(theta, 3.0), expected), rel=1e-9, abs=1e-3)
 
 
 @pytest.mark.parametrize("part", [0.0, 0.2, 0.55, 0.9, 1.0, 1.5])
@@ -144,4 +144,4 @@ def test_what_shines_from_below_the_horizon(part: float) -> None:
         return 2 * math.sqrt(max(radius**2 - y * y, 0.0)) * (y - height)
 
     expected = integrate.quad(strip, height, radius, epsabs=0, epsrel=1e-12)[0] if part < 1 else 0.0
-    assert float(sun.from_below(math.pi / 2 - height)) == pytest.approx(expected, rel=1e-8, abs=1e-22)
+    assert float(sun_disc.from_below(math.pi / 2 - height)) == pytest.approx(expected, rel=1e-8, abs=1e-22)

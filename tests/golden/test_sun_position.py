@@ -7,9 +7,8 @@ import math
 from datetime import UTC, datetime, timedelta
 
 import pytest
-
-from pipeline.config.sun import zenith_range
-from pipeline.export import sun
+from skylight_sh.config.sun_range import zenith_range
+from skylight_sh.export import solar
 
 
 def almanac(latitude: float, longitude: float, moment: datetime) -> tuple[float, float]:
@@ -44,7 +43,7 @@ def test_the_sun_of_a_year(latitude: float, longitude: float) -> None:
         if zenith > 85:
             continue
         seen += 1
-        got, turned = (math.degrees(v) for v in sun.position(sun.Place(latitude, longitude), moment))
+        got, turned = (math.degrees(v) for v in solar.position(solar.Place(latitude, longitude), moment))
         assert got == pytest.approx(zenith - refraction(90 - zenith), abs=0.03)
         # Ours runs from east to north.
         off = (turned - (90 - azimuth) + 180) % 360 - 180
@@ -65,7 +64,7 @@ def test_the_turn_of_the_year() -> None:
 
 def test_moments_are_even_in_real_time() -> None:
     """Vienna's clocks went back on 2026-10-25: 25 hours, an hour apart."""
-    times = list(sun.moments(datetime(2026, 10, 25, tzinfo=UTC).date(), "Europe/Vienna", 60))
+    times = list(solar.moments(datetime(2026, 10, 25, tzinfo=UTC).date(), "Europe/Vienna", 60))
     assert len(times) == 25
     utc = [t.astimezone(UTC) for t in times]
     assert {b - a for a, b in itertools.pairwise(utc)} == {timedelta(hours=1)}

@@ -8,20 +8,20 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 from scipy import optimize
+from skylight_sh.light import CieTraditional, Preetham
+from skylight_sh.quadrature import fixed, least_luminance, parameter_points, ring_sums, rings, sampling, sun_centred
 
 from golden.oracles import REC709, WHITE, basis, orders, preetham_xyz, towards, xyz_to_rgb
-from pipeline.light import CieTraditional, Preetham
-from pipeline.truth import fixed, least, rings, sampling, separated, sets, sun_centred
 
 Array = NDArray[np.float64]
 
 
 def test_sets() -> None:
-    assert sets.grid([np.array([1.0, 2.0]), np.array([5.0, 6.0, 7.0])]).tolist() == [
+    assert parameter_points.grid([np.array([1.0, 2.0]), np.array([5.0, 6.0, 7.0])]).tolist() == [
         [a, b] for a in (1, 2) for b in (5, 6, 7)
     ]
     drawn = np.random.Generator(np.random.PCG64(9)).random((4, 2))
-    got = sets.random([(1.0, 3.0), (-1.0, 0.0)], 4, 9)
+    got = parameter_points.random([(1.0, 3.0), (-1.0, 0.0)], 4, 9)
     assert got == pytest.approx(np.stack([1 + 2 * drawn[:, 0], drawn[:, 1] - 1], axis=-1), rel=1e-14)
 
 
@@ -39,7 +39,7 @@ def test_least_luminance_is_scipys(theta: float, tau: float) -> None:
     start = towards(best[0] + 0.12, best[1] + 0.1)[np.newaxis]
     at = {"sun_zenith": np.array([theta]), "turbidity": np.array([tau])}
     light = Preetham()
-    got = least.refine(light, at, start, light.radiance(start, at) @ light.luminance_row)
+    got = least_luminance.refine(light, at, start, light.radiance(start, at) @ light.luminance_row)
     assert float(got[0]) == pytest.approx(found.fun, rel=2e-6)
 
 
@@ -58,7 +58,7 @@ def test_nodes_integrate_the_hemisphere() -> None:
 
 def test_waves_are_exponentials() -> None:
     azimuth = np.array([0.3, -2.0, 7.7])
-    assert separated.waves(azimuth, 9) == pytest.approx(np.exp(1j * np.multiply.outer(azimuth, np.arange(9))), abs=1e-13)
+    assert ring_sums.waves(azimuth, 9) == pytest.approx(np.exp(1j * np.multiply.outer(azimuth, np.arange(9))), abs=1e-13)
 
 
 @pytest.fixture(scope="module")

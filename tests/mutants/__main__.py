@@ -34,7 +34,9 @@ def main() -> int:
     known = equivalents.load()
     candidates = [one for one in every if one.path.startswith(options.only)]
     if not candidates:
-        parser.error(f"--only {options.only}: no mutants. Should begin the path of a numeric file, such as pipeline/fit.")
+        parser.error(
+            f"--only {options.only}: no mutants. Should begin the path of a numeric file, such as pipeline/skylight_sh/fit."
+        )
     drawn = generate.draw(candidates, options.count or len(candidates), options.seed)
     say(f"{len(drawn)} of {len(candidates)} mutants, seed {options.seed}")
     if options.list:

@@ -34,7 +34,7 @@ def files(root: Path) -> list[str]:
 def environment(copy: Path) -> dict[str, str]:
     """Return what tests in a copy run under: its own package, the same examples each time, and this tool's plugins."""
     tools = Path(__file__).resolve().parents[1]
-    return {**os.environ, "CI": "1", "PYTHONPATH": os.pathsep.join([str(copy), str(tools)])}
+    return {**os.environ, "CI": "1", "PYTHONPATH": os.pathsep.join([str(copy / "pipeline"), str(tools)])}
 
 
 class Record:

@@ -13,15 +13,18 @@ from . import text
 
 # The numeric folders and modules, and the templates.
 SOURCES = (
-    *(f"pipeline/{folder}/**/*.py" for folder in ("light", "sphere", "truth", "fit", "table", "probe", "export")),
-    "pipeline/runtime.py",
-    *(f"pipeline/run/stages/{name}.py" for name in ("scene", "axes", "fit", "select", "origins", "truth", "frame")),
-    *(f"pipeline/report/{name}.py" for name in ("errors", "ringing", "panorama")),
-    "pipeline/export/templates/*.j2",
+    *(
+        f"pipeline/skylight_sh/{folder}/**/*.py"
+        for folder in ("light", "sphere", "quadrature", "fit", "table", "probe", "scene", "export")
+    ),
+    "pipeline/skylight_sh/runtime.py",
+    *(f"pipeline/skylight_sh/run/stages/{name}.py" for name in ("fit", "select", "origins", "truth")),
+    *(f"pipeline/skylight_sh/report/{name}.py" for name in ("errors_csv", "ringing", "panorama")),
+    "pipeline/skylight_sh/export/templates/*.j2",
 )
 # A generator of random inputs: another number there is another test, and no other result.
 _NO_NUMERICS = ("fuzz.c.j2",)
-_C_IN_PYTHON = re.compile(r"pipeline/(fit/(maps|bases)|light/\w+|export/(c_header|c_rows|shaders|shader_dialects))\.py")
+_C_IN_PYTHON = re.compile(r".*/(fit/(maps|bases)|light/\w+|export/(c_header|c_rows|shaders|shader_dialects))\.py")
 # Widths and counts of digits of what is printed, for people.
 _FORMATTING = {
     "about",

@@ -1,0 +1,54 @@
+"""The command that reads a picture of the whole sphere: ``project`` prints its SH weights."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from skylight_sh.cli.tables import BadInputError, show_weights
+from skylight_sh.probe.layouts import LAYOUTS
+
+if TYPE_CHECKING:
+    from skylight_sh.probe import Layout
+
+
+@click.command()
+@click.argument("image", type=click.Path(path_type=Path))
+@click.option(
+    "--layout", type=click.Choice(LAYOUTS), help="How the picture covers the sphere; if left out, by its proportions."
+)
+@click.option("--bands", type=int, required=True, help="SH bands, at least 1 and no more than the texels resolve.")
+@click.option(
+    "--blur", type=float, default=0.0, show_default=True, help="Gaussian pre-filter, standard deviation in degrees."
+)
+@click.option("--linear", is_flag=True, help="Take whole-number pixels (PNG, JPEG) as linear, not as sRGB.")
+@click.option("--json", "as_json", is_flag=True, help="Print JSON instead of a table.")
+def project(image: Path, layout: Layout | None, bands: int, blur: float, linear: bool, as_json: bool) -> None:
+    """Print the SH weights of captured light from IMAGE: OpenEXR, Radiance HDR, PNG, JPEG or TIFF.
+
+    The picture is seen from inside: +x ahead, +z up, -y to the right. angular: a light probe, 1:1. cube-cross: 4:3, left,
+    front, right, back, or 3:4 with the back below, upside down. cube-strip: right, left, up, down, front, back, 6:1 or 1:6.
+    equirect: 2:1, +x in the middle.
+
+    Example: skylight-sh project probe.exr --bands 5 --blur 10
+    """
+    from skylight_sh import probe
+    from skylight_sh.probe import files
+
+    if not 0.0 <= blur <= 180.0:
+        raise BadInputError(f"Invalid --blur {blur}. Should be from 0 to 180 degrees.")
+    try:
+        picture = files.read(image, linear=linear)
+    except (ValueError, OSError) as error:
+        raise BadInputError(str(error)) from error
+    try:
+        chosen = layout or probe.layout_of(*picture.pixels.shape[:2])
+        weights = probe.blur(probe.project(picture.pixels, chosen, bands), math.radians(blur))
+    except ValueError as error:
+        raise BadInputError(f"{image}: {error}") from error
+    if picture.clipped:
+        click.echo(f"Warning: {100 * picture.clipped:.2g} % of the pixels are clipped: brighter light is lost.", err=True)
+    show_weights(weights, picture.channels, as_json=as_json)

@@ -1,0 +1,66 @@
+"""Where the sun stands: its zenith angle and azimuth at a place on Earth, by the NOAA formulas of the library Astral."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from datetime import UTC, date, datetime, time, timedelta
+from zoneinfo import ZoneInfo, ZoneInfoNotFoundError
+
+from skylight_sh.light import MissingExtraError
+
+
+@dataclass(frozen=True)
+class Place:
+    """A place on Earth, in degrees: ``latitude`` north of the equator, ``longitude`` east of Greenwich.
+
+    Raises ValueError for values that no place has.
+    """
+
+    latitude: float
+    longitude: float
+
+    def __post_init__(self) -> None:
+        for name, value, limit in (("latitude", self.latitude, 90), ("longitude", self.longitude, 180)):
+            if not abs(value) <= limit:  # a NaN is refused as well
+                raise ValueError(f"Invalid {name} {value}. Should be degrees from -{limit} to {limit}.")
+
+
+def position(place: Place, moment: datetime) -> tuple[float, float]:
+    """Return the sun's zenith angle and azimuth, radians, in our convention, at an aware ``moment``.
+
+    The zenith angle is that of the sun's centre as seen, with refraction by a standard atmosphere. The azimuth runs
+    from +x, east, towards +y, north, 0 to 2 pi; maps count theirs from north towards east, so it is pi/2 minus the
+    map's. Within 0.01 degrees of NREL's algorithm at most hours. Raises MissingExtraError without Astral, ValueError
+    for a moment without a time zone.
+    """
+    try:
+        from astral import Observer, sun
+    except ImportError as error:
+        raise MissingExtraError("The sun's position needs Astral: pip install -e '.[solar]'.") from error
+    if moment.tzinfo is None:
+        raise ValueError(f"Invalid moment {moment.isoformat()}. Should have a time zone.")
+    zenith, bearing = sun.zenith_and_azimuth(Observer(place.latitude, place.longitude), moment.astimezone(UTC))
+    return math.radians(zenith), math.radians(90.0 - bearing) % (2 * math.pi)
+
+
+def moments(day: date, zone: str, step: int) -> Iterator[datetime]:
+    """Yield the moments of ``day`` in time zone ``zone``, every ``step`` minutes from its midnight to before the next.
+
+    The steps are even in real time: a day on which clocks change has 23 or 25 hours. Raises ValueError for an unknown
+    zone or a step below one minute.
+    """
+    try:
+        local = ZoneInfo(zone)
+    except (ZoneInfoNotFoundError, ValueError, OSError) as error:
+        raise ValueError(f"Invalid timezone {zone!r}. Should be an IANA name, like UTC or Europe/Vienna.") from error
+    if step < 1:
+        raise ValueError(f"Invalid step {step}. Should be at least 1 minute.")
+    try:
+        now, end = (datetime.combine(d, time(), local).astimezone(UTC) for d in (day, day + timedelta(days=1)))
+    except OverflowError as error:
+        raise ValueError(f"Invalid date {day}. Should be a day of years 2 to 9998.") from error
+    while now < end:
+        yield now.astimezone(local)
+        now += timedelta(minutes=step)

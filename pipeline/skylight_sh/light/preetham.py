@@ -1,0 +1,239 @@
+"""The Preetham sky (Preetham, Shirley and Smits 1999), luminance and chromaticity, in linear RGB.
+
+Two constant sets: ``published`` (the 1999 paper) and ``smits`` (the five-digit set of the authors' released code,
+which the data of Habel et al. 2008 follows).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+from typing import ClassVar, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from skylight_sh.light import colour
+from skylight_sh.light.mixins import OwnCode
+from skylight_sh.light.protocol import OPTIONS, Array, Domain, Hints, MissingExtraError, Parameters, Prefactor, sun_angle
+
+Floats = NDArray[np.floating]
+
+# Rows A..E of the Perez function; columns: slope and offset in turbidity for Y, x and y.
+_PEREZ = {
+    "published": (
+        (0.1787, -1.4630, -0.0193, -0.2592, -0.0167, -0.2608),
+        (-0.3554, 0.4275, -0.0665, 0.0008, -0.0950, 0.0092),
+        (-0.0227, 5.3251, -0.0004, 0.2125, -0.0079, 0.2102),
+        (0.1206, -2.5771, -0.0641, -0.8989, -0.0441, -1.6537),
+        (-0.0670, 0.3703, -0.0033, 0.0452, -0.0109, 0.0529),
+    ),
+    "smits": (
+        (0.17872, -1.46303, -0.01925, -0.25922, -0.01669, -0.26078),
+        (-0.35540, 0.42749, -0.06651, 0.00081, -0.09495, 0.00921),
+        (-0.02266, 5.32505, -0.00041, 0.21247, -0.00792, 0.21023),
+        (0.12064, -2.57705, -0.06409, -0.89887, -0.04405, -1.65369),
+        (-0.06696, 0.37027, -0.00325, 0.04517, -0.01092, 0.05291),
+    ),
+}
+
+# Zenith chromaticity x and y: rows tau^2, tau, 1; columns theta^3, theta^2, theta, 1.
+_ZENITH = {
+    "published": (
+        (
+            (0.00166, -0.00375, 0.00209, 0.0),
+            (-0.02903, 0.06377, -0.03202, 0.00394),
+            (0.11693, -0.21196, 0.06052, 0.25886),
+        ),
+        (
+            (0.00275, -0.00610, 0.00317, 0.0),
+            (-0.04214, 0.08970, -0.04153, 0.00516),
+            (0.15346, -0.26756, 0.06670, 0.26688),
+        ),
+    ),
+    "smits": (
+        (
+            (0.00165, -0.00374, 0.00208, 0.0),
+            (-0.02902, 0.06377, -0.03202, 0.00394),
+            (0.11693, -0.21196, 0.06052, 0.25885),
+        ),
+        (
+            (0.00275, -0.00610, 0.00316, 0.0),
+            (-0.04214, 0.08970, -0.04153, 0.00515),
+            (0.15346, -0.26756, 0.06669, 0.26688),
+        ),
+    ),
+}
+
+CONSTANT_SETS = tuple(_PEREZ)
+
+DOMAINS: Mapping[str, Domain] = {
+    "sun_zenith": Domain(0.0, float(np.pi / 2), "rad", "the model describes a sun above the horizon"),
+    "turbidity": Domain(1.7, 10.0, "1", "the luminance normaliser 1 + A exp B passes 0 near turbidity 1.643"),
+}
+
+
+@dataclass(frozen=True)
+class Preetham(OwnCode):
+    """The sky as a black box over ``sun_zenith`` (radians) and ``turbidity``; radiance in cd/m2."""
+
+    __pydantic_config__: ClassVar[Mapping[str, object]] = OPTIONS
+
+    model: Literal["preetham"] = "preetham"
+    """The Preetham sky."""
+    constants: Literal["published", "smits"] = "published"
+    """published (the 1999 paper's) or smits (five digits, of its authors' code, behind the 2008 data)"""
+    colour_space: str = "srgb"
+    """linear RGB by the name of its primaries: srgb, or any the colour library knows"""
+
+    def __post_init__(self) -> None:
+        # A colour space that is not there is told before anything runs.
+        try:
+            colour.matrix(self.colour_space)
+        except MissingExtraError as error:
+            raise ValueError(str(error)) from error
+
+    @property
+    def title(self) -> str:
+        """Name for people."""
+        return f"Preetham sky ({self.constants} constants, {self.colour_space})"
+
+    @property
+    def channels(self) -> tuple[str, ...]:
+        """Linear red, green and blue."""
+        return ("red", "green", "blue")
+
+    @cached_property
+    def luminance_row(self) -> Array:
+        """The Y row of the colour space."""
+        return colour.luminance_row(self.colour_space)
+
+    @property
+    def domains(self) -> Mapping[str, Domain]:
+        """Sun zenith and turbidity."""
+        return DOMAINS
+
+    @cached_property
+    def hints(self) -> Hints:
+        """Mirror-symmetric, a cusp at the sun, and the zenith luminance factor as prefactor."""
+        numbers = tuple(value for row in _PEREZ[self.constants] for value in row[:2])
+        prefactor = Prefactor("preetham_zenith", ("sun_zenith", "turbidity"), numbers, zenith_factor, _ZENITH_FACTOR_C, 25)
+        return Hints(mirrored=True, peak_axis="sun_zenith", prefactor=prefactor)
+
+    def radiance(self, directions: Array, parameters: Parameters) -> Array:
+        """Return linear RGB of shape ``(..., 3)``; see ``Light.radiance``.
+
+        The blue channel dips below 0 in at most 0.05 % of the sky, only with the sun on the horizon and turbidity
+        below 3.2. It is left so: a clamp would break smoothness.
+        """
+        theta, tau = parameters["sun_zenith"], parameters["turbidity"]
+        gamma, cos_gamma = sun_angle(directions, theta)
+        # exp(B / cos z) is 0 on the horizon itself, where B < 0 divides by zero.
+        secant = 1.0 / np.maximum(directions[..., 2], 1e-300)
+        shape, zenith = self._of_parameters(theta, tau)
+        luminance, x, y = (
+            zenith[i] * _perez_sky([row[i] for row in shape], secant, gamma, cos_gamma) for i in range(len(zenith))
+        )
+        scale = luminance / y
+        to_rgb = colour.matrix(self.colour_space)
+        out = np.empty((*scale.shape, 3))
+        blue_xyz = (1.0 - x - y) * scale
+        red_xyz = x * scale
+        for channel, (a, b, c) in enumerate(to_rgb.tolist()):
+            out[..., channel] = a * red_xyz + b * luminance + c * blue_xyz
+        return out
+
+    def _of_parameters(self, theta: Array, tau: Array) -> tuple[Floats, Array]:
+        """A..E ``(5, 3, ...)`` and the zenith's values over their shape's ``(3, ...)``, for Y, x and y.
+
+        All at once, since a few samples of one sky cost less than these scalars do one by one.
+        """
+        perez, chromaticity = _tables(self.constants, max(theta.ndim, tau.ndim))
+        shape = perez[:, :, 0] * tau + perez[:, :, 1]
+        of_theta = ((chromaticity[0] * theta + chromaticity[1]) * theta + chromaticity[2]) * theta + chromaticity[3]
+        chroma = (of_theta[0] * tau + of_theta[1]) * tau + of_theta[2]
+        zenith = np.empty((3, *chroma.shape[1:]))
+        zenith[0], zenith[1:] = zenith_luminance(theta, tau), chroma
+        return shape, zenith / _perez_sky(shape, 1.0, theta, np.cos(theta))
+
+
+@lru_cache(maxsize=8 * len(CONSTANT_SETS))
+def _tables(constants: str, rank: int) -> tuple[Array, Array]:
+    """Perez constants ``(A..E, Y x y, slope and offset)`` and zenith chromaticity ``(theta^3..1, tau^2..1, x y)``.
+
+    Both are followed by ``rank`` axes of size 1, for the parameters' own.
+    """
+    ones = (1,) * rank
+    zenith = np.array(_ZENITH[constants]).transpose(2, 1, 0)
+    return np.array(_PEREZ[constants]).reshape(5, 3, 2, *ones), zenith.reshape(*zenith.shape, *ones)
+
+
+def zenith_luminance(theta: Floats, tau: Floats) -> Floats:
+    """Return the zenith luminance in cd/m2 (Preetham et al. 1999, appendix A.2; the whole sum is in kcd/m2)."""
+    chi = (4.0 / 9.0 - tau / 120.0) * (np.pi - 2.0 * theta)
+    return np.asarray(1000.0 * ((4.0453 * tau - 4.9710) * np.tan(chi) - 0.2155 * tau + 2.4192))
+
+
+def zenith_factor(parameters: Mapping[str, Floats], constants: tuple[float, ...]) -> Floats:
+    """Return ``Y_z / F_Y(0, theta)``, the zenith luminance without the shape of the sky, in cd/m2, but for a few per cent.
+
+    ``constants`` are slope and offset of A..E for Y. Works in the dtype of its parameters. The tangent, exponentials and
+    cosine are rational functions that cost a renderer a tenth of the library's; since a fit divides by exactly what a
+    table multiplies by, that costs no accuracy.
+    """
+    theta, tau = parameters["sun_zenith"], parameters["turbidity"]
+    real = np.result_type(theta)
+    a, b, c, d, e = (slope * tau + offset for slope, offset in np.reshape(constants, (5, 2)).astype(real))
+    chi = (real.type(4 / 9) - tau * real.type(1 / 120)) * (real.type(np.pi) - 2 * theta)
+    square = chi * chi
+    # tan chi = tan_above / tan_below (Pade), exp b = up ** 4, exp(d theta) = halo ** 8, cos theta by its series.
+    tan_above, tan_below = chi * (105 - 10 * square), 105 - square * (45 - square)
+    up = 1 + b * (real.type(0.25) + b * real.type(1 / 32))
+    up = up * up
+    up = up * up
+    y = d * theta
+    halo = 1 + y * (real.type(0.125) + y * real.type(1 / 128))
+    halo = halo * halo
+    halo = halo * halo
+    halo = halo * halo
+    z = theta * theta
+    cosine = 1 - z * (real.type(0.5) - z * (real.type(1 / 24) - z * real.type(1 / 720)))
+    four, slope, offset = real.type(4.0453), real.type(4.9710), real.type(2.4192)
+    zenith = (four * tau - slope) * tan_above + (offset - real.type(0.2155) * tau) * tan_below
+    return np.asarray(1000 * zenith / (tan_below * (1 + a * up) * (1 + c * halo + e * (cosine * cosine))))
+
+
+# The same in C; 25 numbers stand in it.
+_ZENITH_FACTOR_C = """\
+const float a = k[0] * turbidity + k[1], b = k[2] * turbidity + k[3], c = k[4] * turbidity + k[5];
+const float d = k[6] * turbidity + k[7], e = k[8] * turbidity + k[9];
+const float chi = (0.44444444444444444f - turbidity * 0.0083333333333333333f) * (3.1415926535897932f - 2.0f * sun_zenith);
+const float square = chi * chi;
+const float tan_above = chi * (105.0f - 10.0f * square), tan_below = 105.0f - square * (45.0f - square);
+const float y = d * sun_zenith, z = sun_zenith * sun_zenith;
+const float cosine = 1.0f - z * (0.5f - z * (0.041666666666666667f - z * 0.0013888888888888889f));
+float up = 1.0f + b * (0.25f + b * 0.03125f), halo = 1.0f + y * (0.125f + y * 0.0078125f);
+up = up * up;
+up = up * up;
+halo = halo * halo;
+halo = halo * halo;
+halo = halo * halo;
+return 1000.0f * ((4.0453f * turbidity - 4.9710f) * tan_above + (2.4192f - 0.2155f * turbidity) * tan_below)
+    / (tan_below * (1.0f + a * up) * (1.0f + c * halo + e * (cosine * cosine)));"""
+
+
+def _perez_sky(shape: Sequence[Floats] | Floats, secant: Floats | float, gamma: Floats, cos_gamma: Floats) -> Floats:
+    """Perez function ``(1 + A exp(B / cos z)) (1 + C exp(D g) + E cos^2 g)`` of A..E."""
+    a, b, c, d, e = shape
+    # In place: most of a truth's time is spent here, and on new memory.
+    gradation = np.asarray(b * secant)
+    np.exp(gradation, out=gradation)
+    gradation *= a
+    gradation += 1
+    indicatrix = np.asarray(d * gamma)
+    np.exp(indicatrix, out=indicatrix)
+    indicatrix *= c
+    indicatrix += 1
+    indicatrix += e * cos_gamma**2
+    return np.asarray(gradation * indicatrix)

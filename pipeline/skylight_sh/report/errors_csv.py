@@ -1,0 +1,108 @@
+"""Every measured error as one tidy table, ``errors.csv``; ``references.csv`` has those that are their machine's."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+import pandas as pd
+
+from skylight_sh import sphere
+from skylight_sh.report.report_data import Entry, Material
+
+# A hundredth of the tightest budget that is asked for. Finer figures would hang on the last bits of who computed them.
+_FINEST = 5e-7
+
+
+def frame(material: Material, entries: Sequence[Entry], *, sweep: bool) -> pd.DataFrame:
+    """Return one row a combination of table, bands, channel and L_min convention. Errors are fractions, angles radians.
+
+    ``entries`` are named tables; ``sweep`` says whether the fit's own sweep over degrees comes before them.
+
+    ``table`` is ``sweep`` for a fit with every coefficient kept, else a reference's or winner's name; ``dtype`` is the
+    number type of coefficients and arithmetic, ``coefficients`` and ``bytes`` count those of the first ``bands`` bands of a
+    sweep's fit, and all of a named table.
+    """
+    parts = [_sweep(material)] if sweep else []
+    return pd.concat([*parts, *(_entry(material, e) for e in entries)], ignore_index=True)
+
+
+def csv(material: Material) -> bytes:
+    """Return the errors of the sweep and of every winner as CSV; they are the same bytes on every machine."""
+    return _csv(frame(material, material.winners, sweep=True))
+
+
+def references_csv(material: Material) -> bytes:
+    """Return the errors of the fits shown for comparison as CSV.
+
+    Raw monomials are so ill-conditioned that these hang on the last bits of the machine that fitted them.
+    """
+    made = frame(material, material.references, sweep=False)
+    made["note"] = "of the machine that fitted it: ill-conditioned, another one's last bits give other figures"
+    return _csv(made)
+
+
+def _csv(made: pd.DataFrame) -> bytes:
+    """Write errors to four significant digits and no finer than ``_FINEST``, places to seven digits."""
+    places = [name for name in made.columns if name.endswith("_at_worst")]
+    made[places] = made[places].map("{:.7g}".format)
+    errors = ["e_max", "e_mean", "rel_l2"]
+    made[errors] = made[errors].map(lambda error: f"{round(error / _FINEST) * _FINEST:.4g}")
+    return made.to_csv(index=False, lineterminator="\n").encode()
+
+
+def _sweep(material: Material) -> pd.DataFrame:
+    sweep = material.sweep
+    terms = np.prod(sweep.degrees + 1, axis=1)
+    outputs = np.array([sphere.count(n, mirrored=material.mirrored) for n in range(1, material.bands + 1)])
+    rows = []
+    for c, convention in enumerate(material.conventions):
+        combination, channel, bands = (i.ravel() for i in np.indices(sweep.rel_l2.shape))
+        coefficients = terms[combination] * outputs[bands] * len(material.light.channels)
+        rows.append(
+            pd.DataFrame(
+                {
+                    "table": "sweep",
+                    "basis": material.basis,
+                    **{f"degree_{a.name}": sweep.degrees[combination, i] for i, a in enumerate(material.axes)},
+                    "dtype": "float64",
+                    "bands": bands + 1,
+                    "channel": np.array(material.light.channels)[channel],
+                    "l_min": convention,
+                    "e_max": sweep.e_max[c].ravel(),
+                    "e_mean": sweep.e_mean[c].ravel(),
+                    "rel_l2": sweep.rel_l2.ravel(),
+                    **{
+                        f"{a.name}_at_worst": sweep.at[c].reshape(-1, len(material.axes))[:, i]
+                        for i, a in enumerate(material.axes)
+                    },
+                    "coefficients": coefficients,
+                    "bytes": 8 * coefficients,
+                }
+            )
+        )
+    return pd.concat(rows, ignore_index=True)
+
+
+def _entry(material: Material, entry: Entry) -> pd.DataFrame:
+    return pd.DataFrame(list(_rows(material, entry)))
+
+
+def _rows(material: Material, entry: Entry) -> Iterator[dict[str, object]]:
+    table = entry.table
+    for c, channel, bands in np.ndindex(entry.e_mean.shape):
+        yield {
+            "table": entry.name,
+            "basis": table.basis,
+            **{f"degree_{a.name}": d for a, d in zip(table.axes, table.degrees, strict=True)},
+            "dtype": str(table.dtype),
+            "bands": bands + 1,
+            "channel": material.light.channels[channel],
+            "l_min": material.conventions[c],
+            "e_max": entry.e_max[c, channel, bands],
+            "e_mean": entry.e_mean[c, channel, bands],
+            "rel_l2": entry.rel_l2[channel, bands],
+            **{f"{a.name}_at_worst": entry.at[c, channel, bands, i] for i, a in enumerate(material.axes)},
+            "coefficients": table.coefficients,
+            "bytes": table.bytes,
+        }

@@ -1,0 +1,83 @@
+"""E_mean over the parameter space."""
+
+from __future__ import annotations
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.colors import LogNorm
+from matplotlib.figure import Figure
+
+from skylight_sh.fit.axis import Axis
+from skylight_sh.report import style
+from skylight_sh.report.report_data import Entry, Material
+
+CAPTION = (
+    "E_mean of each winner laid out for speed over the verification grid (worst channel, per-set L_min). A cross "
+    "marks the worst set. Where there are more than two axes, the worst over the others is shown, and where on them "
+    "the worst set lies."
+)
+
+
+def draw(material: Material) -> Figure:
+    """Draw one map a winner, or one line where there is one axis."""
+    fast = [entry for entry in material.winners if entry.table.body.kind == "rows"]
+    entries = fast or list(material.winners)
+    if len(material.axes) == 1:
+        return _lines(material, entries)
+    columns = min(4, len(entries))
+    rows = -(-len(entries) // columns)
+    figure = style.figure(4 * columns, 3.3 * rows)
+    grids = [np.maximum(_grid(material, entry), 1e-12) for entry in entries]
+    low, high = 100 * min(float(g.min()) for g in grids), 100 * max(float(g.max()) for g in grids)
+    panels: list[Axes] = list(np.atleast_1d(figure.subplots(rows, columns, sharex=True, sharey=True)).ravel())
+    first, second = material.axes[:2]
+    for panel, entry, grid in zip(panels, entries, grids, strict=False):
+        x, y = _shown(first, material.grid[0]), _shown(second, material.grid[1])
+        image = panel.pcolormesh(x, y, 100 * grid.T, cmap=style.ERROR_MAP, norm=LogNorm(low, high), shading="nearest")
+        panel.plot(
+            _shown(first, entry.worst[:1]),
+            _shown(second, entry.worst[1:2]),
+            "x",
+            color=style.RED,
+            markersize=9,
+            markeredgewidth=2,
+            clip_on=False,
+            zorder=5,
+        )
+        where = f"\nworst at {material.describe(entry.worst, first=2)}" if material.axes[2:] else ""
+        panel.set_title(f"{entry.name}: {style.percent(entry.headline[0])}{where}", fontsize=9)
+    for panel in panels[len(entries) :]:
+        panel.set_axis_off()
+    figure.supxlabel(_label(first))
+    figure.supylabel(_label(second))
+    others = " and ".join(axis.name.replace("_", " ") for axis in material.axes[2:])
+    figure.colorbar(image, ax=panels, label="E_mean, % of L_min" + (f", worst over {others}" if others else ""))
+    return figure
+
+
+def _grid(material: Material, entry: Entry) -> np.ndarray:
+    shape = tuple(nodes.size for nodes in material.grid)
+    values = entry.per_set[: int(np.prod(shape))].reshape(shape)
+    return np.asarray(values.max(axis=tuple(range(2, len(shape)))) if len(shape) > 2 else values)
+
+
+def _lines(material: Material, entries: list[Entry]) -> Figure:
+    figure = style.figure(9, 4.5)
+    axes = figure.subplots()
+    for i, entry in enumerate(entries):
+        values = entry.per_set[: material.grid[0].size]
+        axes.semilogy(_shown(material.axes[0], material.grid[0]), values, color=style.SERIES[i % 7], label=entry.name)
+    axes.set_xlabel(_label(material.axes[0]))
+    axes.set_ylabel("E_mean (fraction of L_min)")
+    axes.grid(True, alpha=0.3)
+    axes.legend(fontsize=8)
+    return figure
+
+
+def _shown(axis: Axis, values: np.ndarray) -> np.ndarray:
+    return np.degrees(values) if axis.unit == "rad" else values
+
+
+def _label(axis: Axis) -> str:
+    unit = {"rad": " (degrees)", "1": ""}.get(axis.unit, f" ({axis.unit})")
+    return axis.name.replace("_", " ") + unit

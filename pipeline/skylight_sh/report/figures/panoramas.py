@@ -1,0 +1,87 @@
+"""The worst cases as skies: truth, reconstruction, difference (the paper's figure 2)."""
+
+from __future__ import annotations
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from skylight_sh import sphere
+from skylight_sh.report import panorama, style
+from skylight_sh.report.report_data import Entry, Material
+from skylight_sh.table.table import full_weights
+
+CAPTION = (
+    "The paper's figure 2: the sky itself, its SH expansion from converged weights, the expansion from the table, and "
+    "their difference in per cent of the least radiance (luminance). Azimuth across, the sun in the middle; altitude "
+    "up. An expansion of few bands rings below the horizon, which is the truth of that expansion and no error of a "
+    "table."
+)
+
+
+def draw(material: Material) -> Figure:
+    """Draw a column a case and table, a row a picture."""
+    columns: list[tuple[str, NDArray[np.float64], Entry]] = []
+    for title, values in material.cases.items():
+        columns += [(title, values, entry) for entry in (*material.references[:2], material.best)]
+    columns.append(("Worst set of this table", material.best.worst, material.best))
+    width = 3.7 * len(columns)
+    figure = style.figure(width, 8.6)
+    # So many panels take half a second to be laid out by constraint.
+    figure.set_layout_engine("none")
+    room = {"left": 0.75 / width, "right": 1.0 - 0.15 / width, "top": 0.925, "wspace": 0.06, "hspace": 0.08}
+    panels = figure.subplots(4, len(columns), squeeze=False, sharex=True, sharey=True, gridspec_kw={**room, "bottom": 0.15})
+    bars = figure.subplots(1, len(columns), squeeze=False, gridspec_kw={**room, "top": 0.085, "bottom": 0.068})[0]
+    for column, (title, values, entry) in enumerate(columns):
+        _column(material, list(panels[:, column]), title, values, entry, bars[column])
+    for row, label in zip(panels[:, 0], _rows(material), strict=True):
+        row.set_ylabel(f"{label}\naltitude (degrees)", fontsize=8)
+    for panel in panels[-1]:
+        panel.set_xlabel("azimuth from the sun (degrees)", fontsize=8)
+    return figure
+
+
+def _rows(material: Material) -> tuple[str, ...]:
+    """Return what the rows show."""
+    if material.best.table.quantity == "irradiance":
+        return ("sky (radiance)", "true irradiance", "irradiance, table", "difference")
+    return ("sky", "SH, true weights", "SH, table", "difference")
+
+
+def _column(material: Material, panels: list[Axes], title: str, values: np.ndarray, entry: Entry, bar: Axes) -> None:
+    light, table = material.light, entry.table
+    names = tuple(axis.name for axis in material.axes)
+    bands = min(table.bands, material.best.table.bands)
+    truth = full_weights(table, material.sample(values), bands)
+    if table.windowed:
+        truth = truth * sphere.zonal_sinc(table.bands)[: bands * bands]
+    rebuilt = full_weights(table, table.evaluate(values[np.newaxis])[0], bands)
+    sky, true, made = panorama.sky(light, values, names), panorama.expansion(truth), panorama.expansion(rebuilt)
+    white = panorama.white(sky[: len(sky) // 2] @ light.luminance_row)
+    # An even sky's irradiance is pi times its radiance.
+    scale = np.pi if table.quantity == "irradiance" else 1.0
+    # A sun in the weights outshines the sky.
+    lit = panorama.white(true @ light.luminance_row) if table.sun_disc else scale * white
+    for panel, picture, level in zip(panels, (sky, true, made), (white, lit, lit), strict=False):
+        panel.imshow(panorama.display(picture, level), extent=panorama.EXTENT, aspect="auto", interpolation="nearest")
+    difference = 100 * ((made - true) @ light.luminance_row) / (scale * _scale(material, values))
+    reach = max(float(np.abs(difference).max()), 1e-12)
+    image = panels[3].imshow(
+        difference, extent=panorama.EXTENT, aspect="auto", cmap=style.SIGNED_MAP, vmin=-reach, vmax=reach
+    )
+    ticks = np.array([-1.0, -0.5, 0.0, 0.5, 1.0]) * float(f"{reach:.1g}")
+    labels = [f"{tick:.2g}" for tick in ticks]
+    colours = panels[3].figure.colorbar(image, cax=bar, orientation="horizontal", label="% of L_min", ticks=ticks)
+    colours.set_ticklabels(labels)
+    bar.tick_params(labelsize=8)
+    for panel in panels:
+        panel.tick_params(labelsize=7)
+    panels[0].set_title(f"{title}\n{entry.name}, N = {bands}\n{material.describe(values)}", fontsize=8.5, parse_math=False)
+
+
+def _scale(material: Material, values: np.ndarray) -> float:
+    """Return the least luminance of the nearest verification grid set (1 if it is not positive): a scale for people."""
+    index = tuple(int(np.abs(nodes - value).argmin()) for nodes, value in zip(material.grid, values, strict=True))
+    least = float(material.least[index])
+    return least if least > 0.0 else 1.0

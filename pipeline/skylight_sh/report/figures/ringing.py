@@ -1,0 +1,57 @@
+"""Ringing below the horizon, before and after the zonal window (the paper's figure 4)."""
+
+from __future__ import annotations
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from skylight_sh import sphere
+from skylight_sh.report import panorama, style
+from skylight_sh.report.report_data import Material
+from skylight_sh.table.table import full_weights
+
+CAPTION = (
+    "The paper's figure 4: luminance of the recommended table's expansion without and with the zonal window of eq. 5, at "
+    "the middle of the parameter ranges. Titles give the lowest value below the horizon as a share of the sky's own "
+    "brightest value there. Purple is negative light; colours are stretched to show it, so that the sky itself saturates. "
+    "Right: along the sun's meridian, from the nadir through the sun to the zenith."
+)
+
+
+def draw(material: Material) -> Figure | None:
+    """Draw luminance before and after, and a cut through the sun; None where the weights are windowed or no radiance."""
+    table = material.best.table
+    if table.windowed or table.quantity != "radiance":
+        return None
+    values = material.middle
+    weights = full_weights(table, table.evaluate(values[np.newaxis])[0], table.bands).astype(np.float64)
+    row = material.light.luminance_row
+    sky = panorama.sky(material.light, values, tuple(a.name for a in material.axes)) @ row
+    before = panorama.expansion(weights) @ row
+    after = panorama.expansion(weights * sphere.zonal_sinc(table.bands)) @ row
+    # Three times the undershoot: the sky saturates, the ringing shows.
+    reach = 3.0 * max(-float(before.min()), 1e-6 * float(before.max()))
+    figure = style.figure(12, 3.9)
+    left, middle, right = figure.subplots(1, 3, width_ratios=(1, 1, 1.1))
+    for panel, picture, title in ((left, before, "original"), (middle, after, "windowed")):
+        image = panel.imshow(picture, extent=panorama.EXTENT, aspect="auto", cmap="PuOr_r", vmin=-reach, vmax=reach)
+        low = 100 * picture[len(picture) // 2 :].min() / sky.max()
+        panel.set_title(f"{title}: lowest {low:.1f} % of the sky's own brightest", fontsize=9)
+        panel.set_xlabel("azimuth from the sun (degrees)")
+    left.set_ylabel("altitude (degrees)")
+    figure.colorbar(image, ax=[left, middle], label="luminance (cd/m²)", orientation="horizontal", shrink=0.6)
+    altitude = 90.0 - (np.arange(len(sky)) + 0.5) * 180.0 / len(sky)
+    centre = sky.shape[1] // 2
+    for picture, colour, dash, label in (
+        (sky, style.BLACK, ":", "sky"),
+        (before, style.RED, "-", "original"),
+        (after, style.BLUE, "--", "windowed"),
+    ):
+        right.plot(altitude, picture[:, centre], color=colour, linestyle=dash, label=label)
+    right.axhline(0.0, color="grey", linewidth=0.8)
+    right.set_ylim(1.6 * min(before.min(), 0.0), 1.1 * sky.max())
+    right.set_xlabel("altitude on the sun's side (degrees)")
+    right.set_ylabel("luminance (cd/m²)")
+    right.legend(fontsize=8)
+    figure.suptitle(f"{material.best.name}, {material.describe(values)}", fontsize=10)
+    return figure

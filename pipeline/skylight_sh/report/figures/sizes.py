@@ -1,0 +1,72 @@
+"""Error against bytes: the sweep's rectangles and the winners."""
+
+from __future__ import annotations
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from skylight_sh import sphere
+from skylight_sh.report import style
+from skylight_sh.report.report_data import Material
+
+CAPTION = (
+    "Largest E_mean against size. Dots: every combination of degrees of the sweep with all its coefficients kept, as "
+    "four-byte numbers. Large marks: the winners as shipped, every constant counted, laid out for speed (rows) or "
+    "packed; lines: the Pareto front of all tables that the selection tried; black marks: other fits, for the bands "
+    "of the recommended table. Below and left is better."
+)
+# Habel et al. 2008, section 3.3: 49 weights of 14 x 8 coefficients in double precision, "below 1.5 %".
+_QUOTED = (131_712, 0.015)
+
+
+def draw(material: Material) -> Figure:
+    """Draw one colour a number of bands."""
+    figure = style.figure(10.5, 5)
+    axes = figure.subplots()
+    for i, bands in enumerate(sorted({entry.table.bands for entry in material.winners}, reverse=True)):
+        outputs = sphere.count(bands, mirrored=material.mirrored) * len(material.light.channels)
+        size = 4 * outputs * np.prod(material.sweep.degrees + 1, axis=1)
+        error = material.sweep.e_mean[0, :, :, bands - 1].max(axis=1)
+        axes.loglog(size, error, ".", color=style.SERIES[i], alpha=0.35, label=f"sweep, {bands} bands")
+        for layout, fill in (("rows", "full"), ("packed", "none")):
+            front = material.fronts.get((bands, layout))
+            if front is not None:
+                axes.loglog(*front.T, color=style.SERIES[i], linestyle="-" if layout == "rows" else "--", linewidth=1)
+            winners = [e for e in material.winners if e.table.bands == bands and e.table.body.kind == layout]
+            axes.loglog(
+                [entry.table.bytes for entry in winners],
+                [entry.headline[0] for entry in winners],
+                style.MARKERS[i],
+                color=style.SERIES[i],
+                fillstyle=fill,
+                markeredgecolor="black" if fill == "full" else style.SERIES[i],
+                markersize=9,
+                label=f"{layout}, {bands} bands",
+            )
+    best = material.best
+    bands = best.table.bands
+    for i, entry in enumerate(material.references):
+        axes.loglog(
+            entry.table.bytes_at(bands),
+            entry.headline_at(bands)[0],
+            "xP*"[i % 3],
+            color="black",
+            markersize=9,
+            label=entry.name,
+        )
+    if material.references:
+        axes.loglog(*_QUOTED, "X", color=style.RED, markeredgecolor="black", markersize=9, label="quoted by the paper")
+    axes.annotate(
+        "recommended",
+        (best.table.bytes, best.headline[0]),
+        xytext=(-12, -28),
+        textcoords="offset points",
+        ha="right",
+        arrowprops={"arrowstyle": "->"},
+    )
+    axes.set_xlabel("bytes")
+    axes.set_ylabel(f"largest E_mean, L_min {material.conventions[0]}")
+    axes.yaxis.set_major_formatter(style.percent_ticks())
+    axes.grid(True, which="major", alpha=0.3)
+    figure.legend(*axes.get_legend_handles_labels(), loc="outside right upper", fontsize=8)
+    return figure

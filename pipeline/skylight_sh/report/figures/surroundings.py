@@ -1,0 +1,93 @@
+"""The scene about the receiver: what of the sky is seen, and what shines beside it, as the sun turns."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from skylight_sh import sphere
+from skylight_sh.report import panorama, style
+from skylight_sh.report.report_data import Material
+from skylight_sh.table.surroundings import Surroundings
+from skylight_sh.table.table import full_weights
+
+Array = NDArray[np.float64]
+
+_AZIMUTHS = (0.0, 120.0, 240.0)
+CAPTION = (
+    "Surroundings, which stand still while the sun turns, in the bands of the recommended table: the sky alone, what an "
+    "even light would look like through what hides the sky (an occluder's shadow is everything but a cap), and the whole "
+    "scene with its clouds, lights and ground. East in the middle, north to the left of it, the sun a red cross. All by "
+    "the same table; few bands blur every edge, and all columns are windowed by sinc(l / N), so that ringing does not hide "
+    "the rest. What hides the sky acts on as many bands as the table has. The heading tells by how much the first bands "
+    "change with a wider sky (relative L2, worst channel of these suns). That is a sign, not the error: the wider sky is "
+    "cut too, and the scene itself lies farther off. A table of more bands, of which a renderer takes the first, does "
+    "better."
+)
+
+
+def draw(material: Material) -> Figure | None:
+    """Draw a row a sun azimuth; None where nothing surrounds the scene."""
+    table = material.best.table
+    around = table.surroundings
+    if around is None:
+        return None
+    values = next(iter(material.cases.values()), material.middle)
+    still = full_weights(table, table.evaluate(values[np.newaxis])[0], table.bands).astype(np.float64)
+    even = np.zeros_like(still)
+    even[:, 0] = np.sqrt(4 * np.pi)
+    hidden = _picture(Surroundings(around.transfer).apply(even, table.bands))
+    row = material.light.luminance_row
+    azimuths = _AZIMUTHS if table.azimuth is None else (float(np.degrees(table.azimuth)),)
+    figure = style.figure(12, 2.3 * len(azimuths) + 0.7)
+    panels = figure.subplots(len(azimuths), 3, squeeze=False, sharex=True, sharey=True)
+    for line, azimuth in zip(panels, azimuths, strict=True):
+        turned = sphere.rotate_azimuth(still, np.radians(azimuth))
+        sky, scene = _picture(turned), _picture(around.apply(turned, table.bands))
+        white = panorama.white(sky @ row)
+        pictures = (panorama.display(sky, white), panorama.display(hidden, 1.0), panorama.display(scene, white))
+        for panel, picture in zip(line, pictures, strict=True):
+            # Azimuth rises to the left, as seen from inside.
+            panel.imshow(picture[:, ::-1], extent=(180, -180, -90, 90), aspect="auto", interpolation="nearest")
+            panel.tick_params(labelsize=7)
+        if material.light.hints.peak_axis:
+            height = 90.0 - float(np.degrees(values[[a.name for a in material.axes].index(material.light.hints.peak_axis)]))
+            for panel in line[::2]:
+                panel.plot((azimuth + 180.0) % 360.0 - 180.0, height, "+", color=style.RED, markersize=9)
+        line[0].set_ylabel(f"sun at {azimuth:g}°\naltitude (degrees)", fontsize=8)
+    for panel, title in zip(panels[0], ("the sky", "what is seen of an even light", "the scene"), strict=True):
+        panel.set_title(title, fontsize=10)
+    for panel in panels[-1]:
+        panel.set_xlabel("azimuth, from east towards north (degrees)", fontsize=8)
+    heading = f"{material.best.name}, {material.describe(values)}"
+    figure.suptitle("\n".join([heading, *_truncation(material, values, azimuths)]), fontsize=10)
+    return figure
+
+
+def _truncation(material: Material, values: Array, azimuths: Sequence[float]) -> list[str]:
+    """Return a line that tells how far the first bands move with the widest sky; none without a wider one.
+
+    A sign of convergence, not the error against the scene itself (``claims.scene`` measures that).
+    """
+    table, widest = material.best.table, max(material.surroundings)
+    if widest <= table.bands or table.surroundings is None:
+        return []
+    sky = material.full(values)[:, : widest**2]
+    worst = np.zeros(table.bands + 1)
+    for azimuth in azimuths:
+        turned = sphere.rotate_azimuth(sky, np.radians(azimuth))
+        exact = material.surroundings[widest].apply(turned, table.bands)
+        off = table.surroundings.apply(turned[:, : table.bands**2], table.bands) - exact
+        for n in range(1, table.bands + 1):
+            lost = np.linalg.norm(off[:, : n * n], axis=1) / np.linalg.norm(exact[:, : n * n], axis=1)
+            worst[n] = max(worst[n], float(lost.max()))
+    shown = [n for n in (3, 5, 7, 9, 12) if n < table.bands] + [table.bands]
+    told = ", ".join(f"{n}: {style.percent(worst[n])}" for n in shown)
+    return [f"change of the first bands with a sky of {widest} bands, which is cut too: {told}"]
+
+
+def _picture(weights: NDArray[np.floating]) -> Array:
+    return panorama.expansion(sphere.scale_degrees(weights, sphere.sinc_window(sphere.bands_of(weights))))

@@ -1,0 +1,42 @@
+"""What a scene's profile leaves out, and what that saves."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from skylight_sh import sphere
+from skylight_sh.report.report_data import Material
+
+
+def rows(material: Material) -> list[tuple[str, str]]:
+    """Return what was skipped and what it saved, in numbers of this run; nothing where nothing was."""
+    scene, light = material.settings["scene"], material.light
+    table = material.best.table
+    channels, bands = len(light.channels), table.bands
+    grid = int(np.prod([nodes.size for nodes in material.grid]))
+    found = []
+    if material.mirrored:
+        half, full = sphere.count(bands, mirrored=True), bands * bands
+        found.append(("orders m < 0, which symmetry makes zero", f"{half} instead of {full} weights a channel"))
+    found += [
+        (f"{name}, fixed at {value:g}", f"an axis: {grid} verification sets instead of {grid} times its nodes")
+        for name, value in scene["fixed"].items()
+    ]
+    if scene["channels"] == "luminance" and channels == 1:
+        found.append(("colour", "1 channel instead of 3: a third of the radiance's colours, fits and outputs"))
+    if scene["quantity"] == "irradiance":
+        kept = [place for place in table.layout.places if place]
+        all_ = sphere.count(bands, mirrored=material.mirrored) * channels
+        found.append(("bands l = 3, 5, .., which carry no irradiance", f"{len(kept)} instead of {all_} columns"))
+    if scene["azimuth"] is not None:
+        found.append(("the sun's azimuth, fixed", "an input, a sine and a cosine a call"))
+    if scene["window"]:
+        found.append(("the window at run time, folded into the weights", f"{(bands - 1) * channels} products a call"))
+    if scene["sun"] is not None:
+        first = next((a for a in material.axes if a.name == "sun_zenith"), material.axes[0])
+        low, high = np.degrees(first.low), np.degrees(first.high)
+        found.append(("suns that do not occur there and then", f"zenith angles {low:.1f} to {high:.1f} of 0 to 90 degrees"))
+    for degree, axis, swept in zip(table.degrees, material.axes, material.sweep.degrees.max(axis=0), strict=True):
+        if degree < swept:
+            found.append((f"powers of {axis.name} above {degree}", f"{degree + 1} instead of {swept + 1} terms"))
+    return found

@@ -1,0 +1,89 @@
+"""Export: every winner as a C header, an NPZ and the shaders asked for, and the summary that names them."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+from functools import partial
+from typing import Any
+
+from skylight_sh import __version__
+from skylight_sh.config.schema import Config
+from skylight_sh.config.wanted import wanted
+from skylight_sh.export import c_header, npz, shaders, vectors
+from skylight_sh.fit.errors import published
+from skylight_sh.run.executors import Advance
+from skylight_sh.run.files import to_dataset
+from skylight_sh.run.plan import Inputs, Step
+from skylight_sh.run.provenance import settings, settings_digest, whole_settings
+from skylight_sh.run.stages.measure import read_table
+from skylight_sh.store.dataset import Dataset
+from skylight_sh.table.table import Table
+
+
+def steps(config: Config) -> list[Step]:
+    """Return the export's step."""
+    parameters = {"config": settings(config), "targets": config.export.targets, "version": __version__}
+    return [Step("export", "", ("select", "measure"), parameters, partial(_make, config))]
+
+
+def facts_of(config: Config, table: Table, measured: Dataset, name: str) -> dict[str, Any]:
+    """Return one row of the summary: a table's name, place, size and measured errors, to four digits."""
+    place = "export" if name == config.export.recommended else f"export/{name}"
+    return {
+        "name": name,
+        "path": place,
+        "bands": table.bands,
+        "dtype": str(table.dtype),
+        "layout": table.body.kind,
+        "bytes": table.bytes,
+        "coefficients": table.coefficients,
+        "e_mean": published(measured[f"tables/{name}/e_mean"][0, :, -1].max()),
+        "e_max": published(measured[f"tables/{name}/e_max"][0, :, -1].max()),
+        "l_min": str(measured.attrs["conventions"]).split(",")[0],
+        "quantity": table.quantity,
+        "least": published(measured[f"tables/{name}/least"]),
+    }
+
+
+def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
+    select, measured = inputs["select"], inputs["measure"]
+    asked = wanted(config)
+    files: dict[str, bytes] = {}
+    rows = []
+    for done, table_wanted in enumerate(asked):
+        advance(done, len(asked))
+        name = table_wanted.name
+        found = read_table(select, f"tables/{name}")
+        row = facts_of(config, found, measured, name)
+        rows.append(row)
+        provenance = {
+            "table": name,
+            "budget": table_wanted.budget,
+            "e_mean": row["e_mean"],
+            "e_max": row["e_max"],
+            "l_min": row["l_min"],
+            "config": settings(config),
+            "version": __version__,
+        }
+        table = dataclasses.replace(found, provenance=provenance)
+        facts = c_header.Facts(
+            config.source.title,
+            row["e_mean"],
+            row["e_max"],
+            row["l_min"],
+            [f"skylight-sh {__version__}, config {config.name} {settings_digest(config)[:16]}, table {name}"],
+            least=row["least"],
+            luminance=config.source.luminance_row.tolist(),
+        )
+        files[f"{row['path']}/skylight_sh.npz"] = npz.write(table)
+        files[f"{row['path']}/skylight_sh.h"] = c_header.write(table, facts, config.export.prefix).encode()
+        if "vectors" in config.export.targets:
+            files[f"{row['path']}/skylight_sh_vectors.txt"] = vectors.write(table).encode()
+            files[f"{row['path']}/skylight_sh_selftest.c"] = vectors.self_test(table, config.export.prefix).encode()
+        for language in config.export.shaders if shaders.obstacle(table) is None else ():
+            text = shaders.write(table, facts, language, config.export.prefix)
+            files[f"{row['path']}/skylight_sh.{language}"] = text.encode()
+    summary = {"config": whole_settings(config), "recommended": config.export.recommended, "tables": rows}
+    files["summary.json"] = (json.dumps(summary, indent=2) + "\n").encode()
+    return to_dataset(files)

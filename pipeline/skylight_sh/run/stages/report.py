@@ -1,0 +1,118 @@
+"""Report: the page, its pictures and the table of errors."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import partial
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from skylight_sh.config.schema import Config
+from skylight_sh.config.wanted import table_names
+from skylight_sh.quadrature import sampling
+from skylight_sh.report.report_data import Entry, Material, Sweep
+from skylight_sh.run.executors import Advance
+from skylight_sh.run.files import to_dataset
+from skylight_sh.run.plan import Inputs, Step
+from skylight_sh.run.provenance import drawing, settings
+from skylight_sh.run.stages import origins
+from skylight_sh.run.stages.measure import read_table
+from skylight_sh.scene.axes import axes_of, variables
+from skylight_sh.scene.fold import folded
+from skylight_sh.scene.frame import surrounded, surroundings_of
+from skylight_sh.store.dataset import Dataset
+
+Array = NDArray[np.float64]
+
+_INPUTS = ("truth/rule", "truth/verification", "fit", "select", "measure")
+
+
+def steps(config: Config) -> list[Step]:
+    """Return the report's step."""
+    parameters = {"config": settings(config), "drawing": drawing()}
+    explained = (origins.STEP,) if origins.is_wanted(config) else ()
+    needed = (*_INPUTS, *variables(config), *surrounded(config), *explained)
+    return [Step("report", "", needed, parameters, partial(_make, config))]
+
+
+def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
+    # Drawing libraries take longer to import than a cached run takes.
+    from skylight_sh.report import errors_csv, page, ringing, style
+    from skylight_sh.report.figures import PICTURES
+
+    material = _material(config, inputs)
+    wanted = [name for name in PICTURES if name in config.report.figures]
+    files = {"errors.csv": errors_csv.csv(material)}
+    files |= {"references.csv": errors_csv.references_csv(material)} if material.references else {}
+    if "gibbs" in wanted:
+        material = replace(material, ringing=ringing.study(material))
+        names = [axis.name for axis in material.axes]
+        files |= {"ringing.csv": ringing.csv(material.ringing, names)} if material.ringing else {}
+    shown = []
+    for done, name in enumerate(wanted):
+        advance(done, len(wanted))
+        figure = PICTURES[name].draw(material)
+        if figure is not None:
+            files[f"figures/{name}.png"] = style.png(figure)
+            shown.append(name)
+    files["index.html"] = page.html(material, shown)
+    return to_dataset(files)
+
+
+def _material(config: Config, inputs: Inputs) -> Material:
+    fit, select, measured, grid, rule = (
+        inputs[name] for name in ("fit", "select", "measure", "truth/verification", "truth/rule")
+    )
+    names = tuple(axis.name for axis in config.axes)
+
+    def sample(values: Array) -> Array:
+        nodes, mirrored = int(rule.attrs["nodes"]), bool(rule.attrs["mirrored"])
+        rule_, tolerance = str(rule.attrs["rule"]), config.truth.tolerance
+        block, bands = values.reshape(1, 1, -1), config.truth.bands
+        job = sampling.Job(config.source, names, block, nodes, bands, mirrored, rule_, tolerance)
+        weights = np.asarray(sampling.project_block(job).weights[0, 0])
+        return folded(config, weights, grid["degree"], values)
+
+    return Material(
+        name=config.name,
+        basis=config.fit.basis,
+        light=config.source,
+        axes=axes_of(config, inputs),
+        conventions=tuple(str(measured.attrs["conventions"]).split(",")),
+        fronts={
+            (int(bands), layout): select[f"fronts/{bands}-{layout}"]
+            for bands, layout in (n.removeprefix("fronts/").split("-") for n in select.variables if n.startswith("fronts/"))
+        },
+        origins=_arrays(inputs[origins.STEP]) if origins.STEP in inputs else None,
+        winners=tuple(_entry(select, measured, f"tables/{name}", name) for name in table_names(config)),
+        references=tuple(_entry(fit, measured, f"references/{r.name}", r.name) for r in config.fit.references),
+        recommended=config.export.recommended,
+        sweep=Sweep(**{key: measured[f"sweep/{key}"] for key in ("degrees", "e_max", "e_mean", "rel_l2", "at")}),
+        grid=tuple(grid[name] for name in names),
+        least=grid["least_luminance"],
+        held_out=int(measured.attrs["held_out"]),
+        bands=config.truth.bands,
+        mirrored=bool(rule.attrs["mirrored"]),
+        condition=float(fit["condition"]),
+        cases={case.title: np.array([case.at[name] for name in names]) for case in config.report.cases},
+        sample=sample,
+        settings=settings(config),
+        rule=rule.attrs,
+        surroundings=surroundings_of(inputs),
+    )
+
+
+def _arrays(artifact: Dataset) -> dict[str, NDArray[Any]]:
+    return {name: variable.data for name, variable in artifact.variables.items()}
+
+
+def _entry(artifact: Dataset, measured: Dataset, start: str, name: str) -> Entry:
+    known = artifact.variables
+    return Entry(
+        name=name,
+        table=read_table(artifact, start),
+        **{key: measured[f"{start}/{key}"] for key in ("e_max", "e_mean", "rel_l2", "at", "per_set")},
+        condition=float(artifact[f"{start}/condition"]) if f"{start}/condition" in known else None,
+    )

@@ -1,0 +1,166 @@
+"""Truth: SH weights and least luminance on the fit grid, the sets that selection sees, and those that only errors do."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import asdict
+from functools import partial
+
+import numpy as np
+from numpy.typing import NDArray
+
+from skylight_sh import sphere
+from skylight_sh.config.schema import Config
+from skylight_sh.fit.axis import Axis
+from skylight_sh.quadrature import convergence, sampling, validation
+from skylight_sh.quadrature import parameter_points as parameter_sets
+from skylight_sh.quadrature.registry import suited
+from skylight_sh.quadrature.samples import Samples
+from skylight_sh.run.executors import Advance, map_tasks
+from skylight_sh.run.plan import Inputs, Step
+from skylight_sh.scene.axes import axes_of, fit_nodes, given_axes, variables, verification_nodes
+from skylight_sh.store.dataset import Dataset, Variable
+
+Array = NDArray[np.float64]
+NodesOf = Callable[[Config, tuple[Axis, ...]], list[Array]]
+
+_SETS_PER_TASK = 64
+
+
+def steps(config: Config) -> list[Step]:
+    """Return the rule's step and one for each collection of parameter sets that the config asks for."""
+    common = {
+        "light": {**asdict(config.light), "version": config.light.version},
+        "ranges": [(axis.name, axis.range) for axis in config.axes],
+        "bands": config.truth.bands,
+        "tolerance": config.truth.tolerance,
+        "orders": config.truth.orders,
+        "rule": config.truth.rule,
+        "hints": config.truth.hints,
+        # Of the scene only what the light itself loses by it.
+        "scene": {"fixed": config.scene.fixed, "channels": config.scene.channels},
+    }
+    rule = Step("truth", "rule", (), common, partial(_make_rule, config))
+    needed, spacing = (rule.name, *variables(config)), spacing_of(config)
+    found = [
+        rule,
+        Step("truth", "grid", needed, spacing, partial(make_grid, config, fit_nodes, "grid")),
+        Step(
+            "truth",
+            "verification",
+            needed,
+            {"fit": spacing, "count": [(axis.name, axis.verification) for axis in config.axes]},
+            partial(make_grid, config, verification_nodes, "verification"),
+        ),
+    ]
+    if config.truth.random:
+        drawn = {"count": config.truth.random, "seed": config.truth.seed}
+        found.append(Step("truth", "random", (rule.name,), drawn, partial(_make_random, config)))
+    kept = {"count": config.truth.held_out, "edge": config.truth.held_out_edge, "seed": config.truth.held_out_seed}
+    found.append(Step("truth", "held-out", (rule.name,), kept, partial(_make_held_out, config)))
+    return found
+
+
+def _make_rule(config: Config, _: Inputs, __: Advance) -> Dataset:
+    light, truth = config.source, config.truth
+    ranges = {axis.name: axis.range for axis in config.axes}
+    validation.vet(light, ranges)
+    # A claim is spot-checked; a light that claims nothing is looked at closely.
+    symmetric = convergence.is_mirrored(light, ranges, samples=512 if light.hints.mirrored else 20_000)
+    mirrored = symmetric and truth.orders == "auto"
+    rule = suited(light, truth.bands) if truth.rule == "auto" else truth.rule
+    nodes, estimate = convergence.choose_nodes(
+        light, ranges, rule=rule, bands=truth.bands, mirrored=mirrored, tolerance=truth.tolerance
+    )
+    return Dataset({}, {"rule": rule, "nodes": nodes, "estimate": estimate, "mirrored": mirrored})
+
+
+def spacing_of(config: Config) -> list[tuple[object, ...]]:
+    """Return what decides the fit grid; a list, since the order of the axes is the order of the samples."""
+    return [(axis.name, axis.nodes, axis.spacing, axis.map, axis.point) for axis in config.axes]
+
+
+def make_grid(config: Config, nodes_of: NodesOf, name: str, inputs: Inputs, advance: Advance) -> Dataset:
+    """Sample the grid of ``nodes_of`` the axes; ``name`` says what it is for."""
+    axes = axes_of(config, inputs)
+    nodes = nodes_of(config, axes)
+    shape = tuple(n.size for n in nodes)
+    samples, rule = _sample(config, parameter_sets.grid(nodes), inputs, advance)
+    dims = tuple(axis.name for axis in config.axes)
+    coordinates = {
+        axis.name: Variable((axis.name,), values, {"units": axis.unit, "long_name": axis.name.replace("_", " ")})
+        for axis, values in zip(axes, nodes, strict=True)
+    }
+    return _dataset(config, coordinates, dims, shape, samples, rule, name)
+
+
+def _make_random(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
+    sets = parameter_sets.random([axis.range for axis in config.axes], config.truth.random, config.truth.seed)
+    return _make_list(config, sets, "random", inputs, advance)
+
+
+def _make_held_out(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
+    truth = config.truth
+    # The sets do not hang on the order in which a config names its axes.
+    order = np.argsort([axis.name for axis in config.axes])
+    ranges = [config.axes[i].range for i in order]
+    sets = parameter_sets.held_out(ranges, truth.held_out, truth.held_out_edge, truth.held_out_seed)[:, np.argsort(order)]
+    return _make_list(config, sets, "held-out", inputs, advance)
+
+
+def _make_list(config: Config, sets: Array, name: str, inputs: Inputs, advance: Advance) -> Dataset:
+    samples, rule = _sample(config, sets, inputs, advance)
+    coordinates = {"set": Variable(("set",), np.arange(len(sets)))} | {
+        axis.name: Variable(("set",), sets[:, i], {"units": axis.unit}) for i, axis in enumerate(given_axes(config))
+    }
+    return _dataset(config, coordinates, ("set",), (len(sets),), samples, rule, name)
+
+
+def _sample(config: Config, sets: Array, inputs: Inputs, advance: Advance) -> tuple[Samples, Dataset]:
+    """Sample parameter sets ``(n, axes)``, in tasks; the samples' shapes start with ``(n,)``."""
+    rule, light = inputs["truth/rule"], config.source
+    nodes, mirrored, name = int(rule.attrs["nodes"]), bool(rule.attrs["mirrored"]), str(rule.attrs["rule"])
+    names = tuple(axis.name for axis in config.axes)
+    blocks = parameter_sets.chunks(sets, sampling.peak_of(light, names), _SETS_PER_TASK)
+    bands, tolerance = config.truth.bands, config.truth.tolerance
+    jobs = [sampling.Job(light, names, sets[block], nodes, bands, mirrored, name, tolerance) for block in blocks]
+    results = map_tasks(
+        sampling.sample_block, jobs, executor=config.run.executor, workers=config.run.workers, advance=advance
+    )
+    count = sphere.count(bands, mirrored=mirrored)
+    shape = (len(sets), len(light.channels), count)
+    whole = Samples(np.empty(shape), np.empty(len(sets)), np.empty((len(sets), 3)), np.empty(len(sets)))
+    for block, part in zip(blocks, results, strict=True):
+        whole.weights[block], whole.least[block], whole.estimate[block] = part.weights, part.least, part.estimate
+    return whole, rule
+
+
+def _dataset(
+    config: Config,
+    coordinates: dict[str, Variable],
+    dims: tuple[str, ...],
+    shape: tuple[int, ...],
+    samples: Samples,
+    rule: Dataset,
+    name: str,
+) -> Dataset:
+    degrees, orders = sphere.degrees_orders(config.truth.bands, mirrored=bool(rule.attrs["mirrored"]))
+    variables = coordinates | {
+        "channel": Variable(("channel",), np.array(config.source.channels)),
+        "weight": Variable(("weight",), degrees * (degrees + 1) + orders, {"long_name": "flat index l*(l+1)+m"}),
+        "degree": Variable(("weight",), degrees, {"long_name": "degree l"}),
+        "order": Variable(("weight",), orders, {"long_name": "order m"}),
+        "weights": Variable(
+            (*dims, "channel", "weight"),
+            samples.weights.reshape(*shape, *samples.weights.shape[1:]),
+            {"units": "cd m-2 sr0.5", "long_name": "SH weights", "coordinates": "degree order"},
+        ),
+        "least_luminance": Variable(
+            dims, samples.least.reshape(shape), {"units": "cd m-2", "long_name": "least luminance of the upper hemisphere"}
+        ),
+    }
+    if np.all(np.isfinite(samples.estimate)):
+        told = {"long_name": "error measured, relative to the set's largest weight"}
+        variables["estimate"] = Variable(dims, samples.estimate.reshape(shape), told)
+    attrs = {"sets": name, "light": config.source.title, **rule.attrs}
+    return Dataset(variables, {key: value for key, value in attrs.items() if key not in ("step", "key")})

@@ -1,0 +1,60 @@
+"""A config's axes and nodes as the numerics know them: given, or found by the search for variables."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+from numpy.typing import NDArray
+
+from skylight_sh.config.schema import Config
+from skylight_sh.fit.axis import Axis
+from skylight_sh.run.plan import Inputs
+
+Array = NDArray[np.float64]
+
+VARIABLES = "truth/variables"
+
+
+def is_searched(config: Config) -> bool:
+    """Say whether any change of variable or the prefactor is to be found from samples."""
+    return config.fit.prefactor == "auto" or any(axis.map == "auto" for axis in config.axes)
+
+
+def variables(config: Config) -> tuple[str, ...]:
+    """Return the name of the search's step among a step's inputs, if there is one."""
+    return (VARIABLES,) if is_searched(config) else ()
+
+
+def given_axes(config: Config) -> tuple[Axis, ...]:
+    """Return the config's axes with their units; an automatic map stands as ``identity``."""
+    return tuple(
+        Axis(
+            axis.name,
+            *axis.range,
+            unit=config.source.domains[axis.name].unit,
+            map="identity" if axis.map == "auto" else axis.map,
+            point=axis.point,
+        )
+        for axis in config.axes
+    )
+
+
+def axes_of(config: Config, inputs: Inputs) -> tuple[Axis, ...]:
+    """Return the axes, with the maps that the search has found where there was one."""
+    if VARIABLES not in inputs:
+        return given_axes(config)
+    return tuple(Axis(**axis) for axis in json.loads(str(inputs[VARIABLES].attrs["axes"])))
+
+
+def fit_nodes(config: Config, axes: tuple[Axis, ...]) -> list[Array]:
+    """Return the fit grid's nodes, an axis."""
+    return [axis.fit_nodes(s.nodes, s.spacing) for axis, s in zip(axes, config.axes, strict=True)]
+
+
+def verification_nodes(config: Config, axes: tuple[Axis, ...]) -> list[Array]:
+    """Return the verification grid's nodes, an axis: both ends, and no interior node of the fit grid."""
+    return [
+        axis.verification_nodes(s.verification, nodes)
+        for axis, s, nodes in zip(axes, config.axes, fit_nodes(config, axes), strict=True)
+    ]

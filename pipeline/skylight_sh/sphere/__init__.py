@@ -1,0 +1,67 @@
+"""Spherical harmonics: basis, indices, rotations, windows, convolutions and products. Pure numerics."""
+
+from skylight_sh.sphere._basis import basis, evaluate, legendre, spiral
+from skylight_sh.sphere._change_of_axes import change_axes
+from skylight_sh.sphere._convolution import (
+    clamped_cosine,
+    convolve,
+    dot,
+    irradiance,
+    nonnegative_irradiance,
+    packed_irradiance,
+    scale_degrees,
+)
+from skylight_sh.sphere._general_rotation import rotate, rotation_blocks
+from skylight_sh.sphere._ground import add_ground, lower_hemisphere, mirror_ground
+from skylight_sh.sphere._nonnegative import minimum, smallest_window
+from skylight_sh.sphere._orders import bands_of, check_bands, count, degrees_orders, flat_index, unmirror
+from skylight_sh.sphere._product import Gaunt, gaunt, multiplication, product
+from skylight_sh.sphere._rotation import rotate_azimuth, rotate_y, rotate_zyz, zyz_matrix
+from skylight_sh.sphere._visibility import cover, horizon
+from skylight_sh.sphere._windows import hann_window, lanczos_window, laplacian_window, sinc_window, zonal_sinc
+from skylight_sh.sphere._zonal import aim, cap
+
+__all__ = [
+    "Gaunt",
+    "add_ground",
+    "aim",
+    "bands_of",
+    "basis",
+    "cap",
+    "change_axes",
+    "check_bands",
+    "clamped_cosine",
+    "convolve",
+    "count",
+    "cover",
+    "degrees_orders",
+    "dot",
+    "evaluate",
+    "flat_index",
+    "gaunt",
+    "hann_window",
+    "horizon",
+    "irradiance",
+    "lanczos_window",
+    "laplacian_window",
+    "legendre",
+    "lower_hemisphere",
+    "minimum",
+    "mirror_ground",
+    "multiplication",
+    "nonnegative_irradiance",
+    "packed_irradiance",
+    "product",
+    "rotate",
+    "rotate_azimuth",
+    "rotate_y",
+    "rotate_zyz",
+    "rotation_blocks",
+    "scale_degrees",
+    "sinc_window",
+    "smallest_window",
+    "spiral",
+    "unmirror",
+    "zonal_sinc",
+    "zyz_matrix",
+]

@@ -1,0 +1,119 @@
+"""Rotations of SH weights about the zenith (eq. 4 of the paper), about the y axis, and by ZYZ angles."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from skylight_sh.sphere._orders import Index, bands_of, check_finite, degrees_orders
+
+Array = NDArray[np.float64]
+
+
+def rotate_azimuth(weights: NDArray[np.floating], azimuth: NDArray[np.floating] | float) -> NDArray[np.floating]:
+    """Turn an environment by ``azimuth`` radians about +z, from +x towards +y (Habel et al. 2008, eq. 4).
+
+    ``weights`` has shape ``(..., N*N)`` and ``azimuth`` broadcasts against ``(...)``. Exact but for
+    rounding; the result keeps the dtype of ``weights``, whole numbers becoming float64. Raises ValueError for an azimuth
+    that is not finite.
+    """
+    degrees, orders = degrees_orders(bands_of(weights))
+    if not np.issubdtype(weights.dtype, np.floating):
+        weights = weights.astype(np.float64)
+    turn = np.asarray(azimuth, dtype=np.float64)
+    check_finite("azimuth", turn)
+    partner = degrees * (degrees + 1) - orders
+    angle = np.abs(orders) * turn[..., np.newaxis]
+    cosine = np.cos(angle).astype(weights.dtype)
+    sine = (np.sign(orders) * np.sin(angle)).astype(weights.dtype)
+    return np.asarray(weights * cosine - weights[..., partner] * sine)
+
+
+def rotate_y(weights: Array, angles: Array, bands: int, *, mirrored: bool) -> Array:
+    """Turn environments about +y, from +z towards +x, each by its own angle in radians.
+
+    ``angles`` has shape ``(g,)`` and ``weights`` ``(g, ..., count)``, count as in ``degrees_orders``. About y the
+    orders m >= 0 and m < 0 do not mix, so a function even in y stays so.
+    """
+    angles = np.asarray(angles, dtype=np.float64)
+    out = np.empty(weights.shape)
+    for l, first, index in _blocks(bands, mirrored):
+        turn = _turn_y(l, first, angles)
+        part = weights[..., index].reshape(angles.size, -1, index.size)
+        out[..., index] = (part @ turn.swapaxes(1, 2)).reshape(*weights.shape[:-1], index.size)
+    return out
+
+
+def rotate_zyz(weights: NDArray[np.floating], first: ArrayLike, middle: ArrayLike, last: ArrayLike) -> Array:
+    """Turn environments by ``first`` radians about +z, then ``middle`` about +y, then ``last`` about +z, all fixed axes.
+
+    ``weights`` has shape ``(..., N*N)`` and the angles broadcast against ``(...)``; so has the result, float64. Exact
+    but for rounding, and the same as ``rotate(weights, zyz_matrix(first, middle, last))``. In axes that turn along, the
+    angles read alpha = last, beta = middle, gamma = first (Green 2003, "Rotating Spherical Harmonics").
+    """
+    bands = bands_of(weights)
+    lead = np.broadcast_shapes(weights.shape[:-1], np.shape(first), np.shape(middle), np.shape(last))
+    source = np.broadcast_to(weights.astype(np.float64), (*lead, bands * bands))
+    turned = np.asarray(rotate_azimuth(source, np.asarray(first, dtype=np.float64)), dtype=np.float64)
+    angles = np.asarray(middle, dtype=np.float64)
+    if angles.ndim == 0:
+        turned = rotate_y(turned[np.newaxis], angles[np.newaxis], bands, mirrored=False)[0]
+    else:
+        every = np.broadcast_to(angles, lead).reshape(-1)
+        turned = rotate_y(turned.reshape(every.size, -1), every, bands, mirrored=False).reshape(*lead, -1)
+    return np.asarray(rotate_azimuth(turned, np.asarray(last, dtype=np.float64)), dtype=np.float64)
+
+
+def zyz_matrix(first: ArrayLike, middle: ArrayLike, last: ArrayLike) -> Array:
+    """Return the rotation matrices ``(..., 3, 3)`` of ``rotate_zyz``; the angles, in radians, broadcast to ``(...)``."""
+    a, b, c = np.broadcast_arrays(*(np.asarray(angle, dtype=np.float64) for angle in (first, middle, last)))
+    return _about_z(c) @ _about_y(b) @ _about_z(a)
+
+
+def _about_z(angle: Array) -> Array:
+    c, s, zero, one = np.cos(angle), np.sin(angle), np.zeros_like(angle), np.ones_like(angle)
+    return np.stack([c, -s, zero, s, c, zero, zero, zero, one], axis=-1).reshape(*angle.shape, 3, 3)
+
+
+def _about_y(angle: Array) -> Array:
+    c, s, zero, one = np.cos(angle), np.sin(angle), np.zeros_like(angle), np.ones_like(angle)
+    return np.stack([c, zero, s, zero, one, zero, -s, zero, c], axis=-1).reshape(*angle.shape, 3, 3)
+
+
+@lru_cache(maxsize=32)
+def _blocks(bands: int, mirrored: bool) -> list[tuple[int, int, Index]]:
+    """Degree, least |m| and the places of |m| = least..l in flat order, for all orders that mix."""
+    signs = (1,) if mirrored else (1, -1)
+    found = []
+    for l in range(bands):
+        for first, sign in enumerate(signs):
+            m = np.arange(first, l + 1)
+            if m.size:
+                found.append((l, first, l * (l + 1) // 2 + m if mirrored else l * (l + 1) + sign * m))
+    return found
+
+
+def _turn_y(l: int, first: int, angles: Array) -> Array:
+    """Matrices ``(g, n, n)`` acting on the orders |m| = first..l of degree l.
+
+    The generator is tridiagonal with integer eigenvalues, known exactly; its eigenvectors are free of the angle
+    and give every matrix at once (Feng, Wang, Yang and Jin 2015, for Wigner's d), without a recurrence in l.
+    """
+    vectors = _generator_vectors(l, first)
+    size = l + 1 - first
+    turns = np.arange(1 - size, size, 2) * angles[:, np.newaxis]
+    even = (vectors * np.cos(turns)[:, np.newaxis, :]) @ vectors.T
+    odd = (vectors * np.sin(turns)[:, np.newaxis, :]) @ vectors.T
+    # Re(i**d * (even - i*odd)) for d = m - m' cycles through even, odd, -even, -odd.
+    phase = np.subtract.outer(np.arange(size), np.arange(size)) % 4
+    return np.choose(phase, [even, odd, -even, -odd])
+
+
+@lru_cache(maxsize=512)
+def _generator_vectors(l: int, first: int) -> Array:
+    m = np.arange(first, l)
+    off = 0.5 * np.sqrt((l - m) * (l + m + 1.0)) * np.where(m == 0, np.sqrt(2.0), 1.0)
+    vectors: Array = np.linalg.eigh(np.diag(off, 1) + np.diag(off, -1))[1]
+    return vectors

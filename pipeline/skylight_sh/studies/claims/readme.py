@@ -1,0 +1,238 @@
+"""The README's blocks, ``<!-- name -->`` to ``<!-- /name -->``, written from released files and from nothing else."""
+
+from __future__ import annotations
+
+import json
+import re
+import textwrap
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from skylight_sh import runtime
+
+_WIDTH = 127
+# What the README's examples ask for: sun zenith, sun azimuth, turbidity.
+_EXAMPLE = (0.8, 0.3, 3.0)
+# By how much a total may differ from the published one that the README still trusts.
+_TRUSTED = 0.12
+
+
+@dataclass(frozen=True)
+class Released:
+    """A released run: its ``folder``, ``summary`` and ``claims``, and the ``speed`` of a benchmark."""
+
+    folder: Path
+    summary: Mapping[str, Any]
+    claims: Mapping[str, Any]
+    speed: Mapping[str, Any]
+
+
+def released(folder: Path) -> Released:
+    """Read a released run. Raises OSError where one of its files is missing, and says what makes it."""
+    read = {}
+    for name, maker in (("summary", "make reference"), ("claims", "make reference"), ("speed", "make bench speed")):
+        path = folder / f"{name}.json"
+        if not path.is_file():
+            raise OSError(f"{path} is missing. Run `{maker}`, which writes it.")
+        read[name] = json.loads(path.read_text(encoding="utf-8"))
+    return Released(folder, read["summary"], read["claims"], read["speed"])
+
+
+def rewrite(text: str, found: Released) -> str:
+    """Return the README's ``text`` with every block that is known here as ``found`` has it.
+
+    Raises ValueError where the text lacks a block.
+    """
+    for name, write in BLOCKS.items():
+        if len(re.findall(rf"<!-- {name} -->\n.*?<!-- /{name} -->", text, re.DOTALL)) != 1:
+            raise ValueError(f"README.md needs the block {name} once: `<!-- {name} -->` to `<!-- /{name} -->`. Put it back.")
+        start, end = (text.index(mark) for mark in (f"<!-- {name} -->\n", f"<!-- /{name} -->"))
+        text = f"{text[:start]}<!-- {name} -->\n{write(found)}\n{text[end:]}"
+    return text
+
+
+def _table(heading: list[str], rows: list[list[str]]) -> str:
+    lines = [heading, ["---"] * len(heading), *rows]
+    return "\n".join(f"|{'|'.join(cells)}|" if cells[0] == "---" else f"| {' | '.join(cells)} |" for cells in lines)
+
+
+def _words(text: str) -> str:
+    """Wrap a paragraph, whatever its white space; a number and its unit stay together."""
+    tied = re.sub(r"(?<=\d) (?=%|ns)", "\0", " ".join(text.split()))
+    return textwrap.fill(tied, _WIDTH, break_long_words=False, break_on_hyphens=False).replace("\0", " ")
+
+
+def _digits(value: float, digits: int) -> str:
+    """Return a number to so many digits, without an exponent."""
+    return np.format_float_positional(float(f"{value:.{digits}g}"), trim="-")
+
+
+def _share(value: float, digits: int = 2) -> str:
+    """Return a fraction in per cent."""
+    return f"{_digits(100 * value, digits)} %"
+
+
+def _power(value: float, digits: int = 1) -> str:
+    """Return a number as one times a power of ten, like 2.1e-4."""
+    return re.sub(r"e([+-])0+", r"e\1", f"{value:.{digits}e}")
+
+
+def _results(found: Released) -> str:
+    rows = []
+    for row in found.summary["tables"]:
+        name = f"**{row['name']}**" if row["name"] == found.summary["recommended"] else row["name"]
+        rows.append([name, f"{row['bytes']:,}", f"{100 * row['e_mean']:.4g} %", f"{100 * row['e_max']:.4g} %"])
+    return _table(["table", "bytes", "E_mean", "E_max"], rows)
+
+
+def printed(summary: Mapping[str, Any], folder: str) -> list[str]:
+    """Return the lines that a run ends with, as the command line prints them; ``folder`` is its report's."""
+    lines = [f"{'table':<24}{'bytes':>8}{'E_mean':>12}{'E_max':>12}"]
+    for row in summary["tables"]:
+        errors = "".join(f"{100 * row[key]:>10.4g} %" for key in ("e_mean", "e_max"))
+        mark = "  recommended" if row["name"] == summary["recommended"] else ""
+        lines.append(f"{row['name']:<24}{row['bytes']:>8}{errors}{mark}")
+    files = {"report": "index.html", "C": "export/skylight_sh.h", "NPZ": "export/skylight_sh.npz"}
+    return [*lines, "", *(f"{what:<8}{folder}/{path}" for what, path in files.items())]
+
+
+def _fit(found: Released) -> str:
+    return "\n".join(["```text", *printed(found.summary, f"reports/{found.summary['config']['name']}"), "```"])
+
+
+def _speed(found: Released) -> str:
+    speed = found.speed
+    bands = next(row["bands"] for row in found.summary["tables"] if row["name"] == found.summary["recommended"])
+    rows = []
+    for row in speed["tables"]:
+        if row["bands"] == bands:
+            cells = [
+                (row[key]["median"], row[key]["least"], row[key]["most"]) for key in ("times_faster", "cold_times_faster")
+            ]
+            rows.append(
+                [
+                    row["name"],
+                    *(f"{_digits(middle, 2)} ({_digits(least, 2)} to {_digits(most, 2)})" for middle, least, most in cells),
+                ]
+            )
+    machine = speed["machine"]
+    base = next(row for row in speed["tables"] if row["name"] == speed["baseline"])
+    told = _words(
+        f"""Measured on {machine["processor"]} ({machine["cores"]} shared cores) with {machine["compiler"]}, -O3, for
+        {bands} bands: medians of {speed["rounds"]} rounds, and in brackets the least and the most of them. The paper's
+        scheme took {base["ns"]:,.0f} ns a call, {base["cold_ns"]:,.0f} ns with a cold cache."""
+    )
+    return f"{told}\n\n{_table(['table', 'times faster than the paper', 'with a cold cache'], rows)}"
+
+
+def _example(found: Released) -> tuple[int, np.ndarray[Any, Any]]:
+    table = runtime.load(found.folder / "export" / "skylight_sh.npz")
+    weights, status = table.weights_and_status(*_EXAMPLE)
+    return int(status), weights
+
+
+def _c_output(found: Released) -> str:
+    status, weights = _example(found)
+    return "\n".join(["```text", " ".join([str(status), *(f"{value:.0f}" for value in weights[:, 0])]), "```"])
+
+
+def _py_output(found: Released) -> str:
+    _, weights = _example(found)
+    # Some libraries make NumPy print as it once did.
+    with np.printoptions(legacy=False):
+        return "\n".join(["```text", f"{weights.shape} {weights[:, 0].round()}", "```"])
+
+
+def _gradient(found: Released) -> str:
+    claim = found.claims["gradient"]
+    return _words(
+        f"""Inside the ranges the gradient is right to {_power(claim["inside"], 0)} of the largest derivative after the
+        same axis at the same sun. On an edge and in a corner it takes the slopes of the changes of variable and of the
+        prefactor from a hundred-thousandth of the range inside: it is then off by up to {_power(claim["edges"])} on edges
+        and {_power(claim["corners"])} in corners."""
+    )
+
+
+def _pictures(found: Released) -> str:
+    claim = found.claims["pictures"]
+    exact = " and ".join(f"of {int(width):,} pixels across within {_share(off)}" for width, off in claim["exact"].items())
+    channels = ", ".join(f"{name} {_share(value)}" for name, value in claim["hdr_channels"].items())
+    return _words(
+        f"""A Preetham sky comes back from a panorama of floats {exact} of the largest weight, the worst of
+        {claim["skies"]} skies in {claim["bands"]} bands. Radiance HDR (`.hdr`) keeps eight bits of a channel and cuts the
+        rest off: such a picture is read too dark, by up to {_share(claim["hdr"])} of the largest weight ({channels} of
+        the channel's own largest). Take OpenEXR where that matters."""
+    )
+
+
+def _ringing(found: Released) -> str:
+    claim = found.claims["ringing"]
+    black, mirrored = claim["undershoot"]["black ground"], claim["undershoot"]["mirrored sky"]
+    ground, lit = next(entry for entry in claim["undershoot"].items() if entry[0].startswith("ground of albedo"))
+    plain, windowed = black
+    told = f"""At {claim["bands"]} bands the Preetham sky undershoots by up to {_share(black[plain])} of the sky's own
+        brightest value; by {_share(black[windowed])} behind the zonal window of eq. 5, by {_share(lit[plain])} above a
+        {ground}, by {_share(lit[windowed])} with both, and by {_share(mirrored[plain])} above a mirrored sky: each the worst
+        of {claim["sets"]} sets. The report's pictures of ringing and `ringing.csv` give this share too, at the sets that
+        they name."""
+    best = next(row for row in found.summary["tables"] if row["name"] == found.summary["recommended"])
+    if "least" in best:
+        told += f""" `least` in `summary.json` is another: a share of the expansion's own largest value, at the worst of
+        all verification sets, {_share(best["least"], 3)} for the recommended table."""
+    return _words(told)
+
+
+def _daylight(found: Released) -> str:
+    claim = found.claims["daylight"]
+    rows, ratios = [], {}
+    for row in claim["heights"]:
+        ours, theirs = (row["sky"], row["sun"]), (row["published_sky"], row["published_sun"])
+        pairs = [*zip(ours, theirs, strict=True), (sum(ours), sum(theirs))]
+        rows.append([str(row["height"]), *(f"{one / 1000:.1f} / {other / 1000:.1f}" for one, other in pairs)])
+        ratios[row["height"]] = ours[0] / theirs[0], sum(ours) / sum(theirs)
+    trusted = {height: ratio for height, ratio in ratios.items() if abs(ratio[1] - 1) < _TRUSTED}
+    skies, totals = zip(*trusted.values(), strict=True)
+    off = max(abs(total - 1) for total in totals)
+    told = _words(
+        f"""With the sun {min(trusted)} degrees high or more and a turbidity of {claim["turbidity"]:g}, sky and sun
+        together send down the light of a clear day within {100 * off:.0f} %, but only since two errors cancel: the
+        Preetham sky alone is {min(skies):.1f} to {max(skies):.1f} times as bright as was published, its sun dimmer. Trust
+        that total. Do not trust the sky's lux alone, nor a low sun: on the horizon the sky is {ratios[0][0]:.0f} times
+        too bright. In klx on the horizontal, ours / IES RP-21 (1984) for a clear day (`make bench` prints other
+        turbidities):"""
+    )
+    return f"{told}\n\n{_table(['sun, degrees high', 'sky', 'sun', 'both'], rows)}"
+
+
+def _valley(found: Released) -> str:
+    claim = found.claims["valley"]
+    first = claim["first"]
+    parts = ", ".join(
+        f"the first {n} are within {_share(entry['most'])}" for n, entry in first.items() if int(n) < claim["bands"]
+    )
+    best = ", ".join(_share(entry["least"]) for entry in first.values())
+    return _words(
+        f"""Of the valley's {claim["bands"]} bands {parts}, and all {claim["bands"]} within
+        {_share(first[str(claim["bands"])]["most"])} of those of the scene itself, sampled direction by direction
+        (relative L2; the worst channel and sun of the picture; the best are within {best}). What is lost is what the sky has
+        beyond the table's bands. The picture's heading tells another thing, how far the first bands move with a
+        sky of more bands, which is cut too."""
+    )
+
+
+BLOCKS: Mapping[str, Callable[[Released], str]] = {
+    "results": _results,
+    "speed": _speed,
+    "fit": _fit,
+    "c-output": _c_output,
+    "py-output": _py_output,
+    "gradient": _gradient,
+    "pictures": _pictures,
+    "ringing": _ringing,
+    "daylight": _daylight,
+    "valley": _valley,
+}

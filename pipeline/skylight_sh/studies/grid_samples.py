@@ -1,0 +1,89 @@
+"""A config's fit grid, sampled afresh in this process: the benchmarks' and stress tests' material."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from skylight_sh import sphere
+from skylight_sh.config.schema import Config
+from skylight_sh.fit.errors import Reference, mean_luminance
+from skylight_sh.quadrature import parameter_points as parameter_sets
+from skylight_sh.quadrature import sampling
+from skylight_sh.quadrature.registry import suited
+from skylight_sh.scene.axes import fit_nodes, is_searched
+from skylight_sh.scene.fold import folded, luminance_scale
+from skylight_sh.scene.frame import frame_of
+from skylight_sh.table.table import Frame, Table
+
+Array = NDArray[np.float64]
+
+_NODES = 56
+
+
+@dataclass(frozen=True)
+class Samples:
+    """Weights on the fit grid, ``(n_1, .., n_D, channels, count)``: all N*N (``full``) and m >= 0 alone (``half``).
+
+    ``frame`` has the run's own axes, changes of variable and factor.
+    """
+
+    config: Config
+    frame: Frame
+    nodes: list[Array]
+    full: Array
+    half: Array
+    reference: Reference
+
+
+def sample(config: Config, bands: int, random: int = 400, like: Table | None = None) -> Samples:
+    """Sample the fit grid and ``random`` seeded sets plus the corners, for ``bands`` bands of a mirrored light.
+
+    ``like`` is a table of the run: changes of variable and factor that the run has found in samples are its.
+    """
+    config = config.model_copy(update={"truth": config.truth.model_copy(update={"bands": bands})})
+    ranges = [axis.range for axis in config.axes]
+    frame = _frame(config, like)
+    nodes = fit_nodes(config, frame.axes)
+    grid = measured_at(config, parameter_sets.grid(nodes)).weights
+    half = grid.reshape(*(n.size for n in nodes), *grid.shape[1:])
+    corners = parameter_sets.grid([np.array(r) for r in ranges])
+    sets = np.concatenate([corners, parameter_sets.random(ranges, random, 77)])
+    full = np.asarray(sphere.unmirror(half, bands), dtype=np.float64)
+    return Samples(config, frame, nodes, full, half, measured_at(config, sets))
+
+
+def _frame(config: Config, like: Table | None) -> Frame:
+    if like is not None and is_searched(config):
+        return Frame(like.axes, like.channels, True, like.basis, like.factor)
+    return frame_of(config, {}, mirrored=True)
+
+
+def measured_at(config: Config, sets: Array) -> Reference:
+    """Sample parameter sets ``(n, axes)`` as something to measure errors against."""
+    radiance, least = _radiance(config, sets)
+    degrees, _ = sphere.degrees_orders(config.truth.bands, mirrored=True)
+    scale, mean = luminance_scale(config), mean_luminance(radiance[:, :, 0], config.source.luminance_row)
+    return Reference(sets, folded(config, radiance, degrees, sets), degrees, scale * least, scale * mean)
+
+
+def light_alone(raw: dict[str, Any]) -> dict[str, Any]:
+    """Return a config's data without what stands in the scene beside the light: what it fixes and its channels stay."""
+    kept = {key: value for key, value in raw["scene"].items() if key in ("fixed", "channels")}
+    return {**raw, "scene": kept}
+
+
+def _radiance(config: Config, sets: Array) -> tuple[Array, Array]:
+    bands, names = config.truth.bands, tuple(axis.name for axis in config.axes)
+    weights = np.empty((len(sets), len(config.source.channels), sphere.count(bands, mirrored=True)))
+    least = np.empty(len(sets))
+    for block in parameter_sets.chunks(sets, sampling.peak_of(config.source, names), 64):
+        rule = suited(config.source, bands)
+        nodes = max(_NODES, bands + 12)
+        job = sampling.Job(config.source, names, sets[block], nodes, bands, True, rule, config.truth.tolerance)
+        sampled = sampling.sample_block(job)
+        weights[block], least[block] = sampled.weights, sampled.least
+    return weights, least

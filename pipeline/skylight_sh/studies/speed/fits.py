@@ -1,0 +1,77 @@
+"""Fits: error against time for every basis and solver."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Callable, Sequence
+from functools import partial
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from skylight_sh.fit import least_squares
+from skylight_sh.fit.bases import BASES
+from skylight_sh.studies import single_fit
+from skylight_sh.studies.grid_samples import Samples
+from skylight_sh.studies.page import Row, Section
+from skylight_sh.studies.timing import medians
+from skylight_sh.table.errors import headline
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+TEXT = (
+    "The paper's degrees, from samples in memory to coefficients, median seconds beside the largest per-set E_mean on "
+    "sets the fit never saw. `tensor` solves one small system an axis, which is exact for a grid; the others solve "
+    "one system over all grid points, as the paper describes. `paper ratio`: how many times faster than monomials by "
+    "normal equations."
+)
+_FIRST = "monomial, raw, normal"
+
+
+def section(samples: Samples, repeats: int) -> Section:
+    """Time every combination in turn."""
+    degrees = single_fit.paper_degrees(samples)
+    calls: dict[str, Callable[[], np.ndarray]] = {}
+    errors: dict[str, float] = {}
+    for kind, label in (("raw", "raw"), ("identity", "scaled"), (single_fit.OWN, "config's maps, prefactor")):
+        for basis in ("monomial",) if kind == "raw" else BASES:
+            right, matrices, _ = single_fit.system(samples, samples.half, degrees, basis, kind)
+            for solver in least_squares.SOLVERS:
+                name = f"{basis}, {label}, {solver}"
+                calls[name] = partial(least_squares.fit_full, right, matrices, solver)
+                made = single_fit.fit(samples, samples.half, degrees, basis, solver, kind)
+                errors[name] = headline(single_fit.table_of(samples, made, "float64"), samples.reference)
+            name = f"{basis}, {label}, tensor"
+            calls[name] = partial(least_squares.fit_tensor, right, matrices)
+            whole = dataclasses.replace(made, dense=least_squares.fit_tensor(right, matrices).reshape(made.dense.shape))
+            errors[name] = headline(single_fit.table_of(samples, whole, "float64"), samples.reference)
+    seconds = medians(calls, repeats)
+    rows = [
+        {"fit": name, "ms": 1e3 * seconds[name], "E_mean": errors[name], "paper ratio": seconds[_FIRST] / seconds[name]}
+        for name in calls
+    ]
+    return Section("fits", "Fits: error against time", TEXT, rows, _draw)
+
+
+def _draw(rows: Sequence[Row]) -> Figure:
+    from skylight_sh.report import style
+
+    figure = style.figure(9, 5)
+    axes = figure.subplots()
+    for i, basis in enumerate(BASES):
+        for j, solver in enumerate(("normal", "qr", "svd", "tensor")):
+            mine = [r for r in rows if str(r["fit"]).startswith(f"{basis},") and str(r["fit"]).endswith(f", {solver}")]
+            axes.loglog(
+                [r["ms"] for r in mine],
+                [r["E_mean"] for r in mine],
+                style.MARKERS[j],
+                color=style.SERIES[i],
+                label=f"{basis}, {solver}",
+            )
+    axes.set_xlabel("milliseconds a fit")
+    axes.set_ylabel("largest E_mean")
+    axes.yaxis.set_major_formatter(style.percent_ticks())
+    axes.grid(True, alpha=0.3)
+    figure.legend(*axes.get_legend_handles_labels(), loc="outside lower center", ncols=4, fontsize=8)
+    return figure

@@ -1,0 +1,134 @@
+"""Scene profiles: what is skipped, and what bytes, build time and evaluation time fall to; each line built and measured."""
+
+from __future__ import annotations
+
+import statistics
+import subprocess
+import tempfile
+import time
+from collections.abc import Callable
+from copy import deepcopy
+from pathlib import Path
+from typing import Any
+
+from skylight_sh.config import parse
+from skylight_sh.config.schema import Config
+from skylight_sh.run import plan
+from skylight_sh.run.progress import silent
+from skylight_sh.run.provenance import settings
+from skylight_sh.run.runner import steps
+from skylight_sh.run.stages.export import facts_of
+from skylight_sh.run.stages.measure import read_table
+from skylight_sh.store.store import Store
+from skylight_sh.studies import compiled
+from skylight_sh.studies.grid_samples import Samples, light_alone
+from skylight_sh.studies.page import Row, Section
+from skylight_sh.studies.speed import evaluation
+from skylight_sh.table.table import Table
+
+TEXT = (
+    "The config's light built anew in an empty store for each profile, one table each: seconds from nothing to the "
+    "selected table, its bytes and error as shipped, nanoseconds a call (portable -O3, everything included), and how "
+    "many times faster that is than the paper-literal header in the same rounds."
+)
+_FIXED = {"turbidity": 3.0}
+
+
+def section(config: Config, samples: Samples, repeats: int) -> Section:
+    """Build and time every profile that the config's axes allow."""
+    literal = evaluation.literal(samples)
+    built = [(label, *_build(parse(_raw(config, edit), label))) for label, edit in _profiles(config)]
+    with tempfile.TemporaryDirectory() as folder:
+        programs = [
+            compiled.program(header, evaluation.program_of(axes, fixed), Path(folder) / str(i), ["-O3"])
+            for i, (header, axes, fixed) in enumerate(
+                [
+                    (literal.header, [(a.name, *a.range) for a in config.axes], False),
+                    *(
+                        (compiled.header_of(t), [(a.name, a.low, a.high) for a in t.axes], t.azimuth is not None)
+                        for _, _, t, _ in built
+                    ),
+                ]
+            )
+        ]
+        times: list[list[float]] = [[] for _ in programs]
+        for _ in range(repeats):
+            for found, program in zip(times, programs, strict=True):
+                out = subprocess.run([str(program)], check=True, capture_output=True, text=True).stdout
+                found.append(1e9 * float(out.split()[0]))
+    rows: list[Row] = []
+    for (label, seconds, table, error), found in zip(built, times[1:], strict=True):
+        rows.append(
+            {
+                "profile": label,
+                "build s": seconds,
+                "bytes": table.bytes,
+                "E_mean": error,
+                "inputs": len(table.axes) + (table.azimuth is None),
+                "columns": len(table.layout.places),
+                "ns": statistics.median(found),
+                "times faster": statistics.median(b / o for b, o in zip(times[0], found, strict=True)),
+            }
+        )
+    return Section("profiles", "Scene profiles", TEXT, rows)
+
+
+def _profiles(config: Config) -> list[tuple[str, Callable[[dict[str, Any]], None]]]:
+    """Return each profile's label and how it changes the config's data."""
+
+    def bands(n: int, budget: float) -> Callable[[dict[str, Any]], None]:
+        def edit(raw: dict[str, Any]) -> None:
+            raw["truth"]["bands"] = n
+            raw["winners"] = [{"bands": n, "budgets": [budget]}]
+            raw["export"]["recommended"] = f"{n}-bands-{100 * budget:.6g}pct"
+
+        return edit
+
+    def scene(n: int, budget: float, **keys: Any) -> Callable[[dict[str, Any]], None]:
+        def edit(raw: dict[str, Any]) -> None:
+            bands(n, budget)(raw)
+            raw["scene"] |= keys
+            raw["axes"] = [axis for axis in raw["axes"] if axis["name"] not in keys.get("fixed", {})]
+
+        return edit
+
+    def low_sun(raw: dict[str, Any]) -> None:
+        bands(7, 0.001)(raw)
+        raw["axes"][0]["range"][0] = 1.2
+
+    found = [
+        ("7 bands, 0.1 %", bands(7, 0.001)),
+        ("7 bands, 0.1 %, luminance", scene(7, 0.001, channels="luminance")),
+        ("7 bands, 0.1 %, fixed azimuth", scene(7, 0.001, azimuth=0.5)),
+        ("4 bands, 0.1 %", bands(4, 0.001)),
+        ("diffuse, 3 bands, 0.1 %", scene(3, 0.001, quantity="irradiance")),
+        ("diffuse, 3 bands, 1.5 %", scene(3, 0.015, quantity="irradiance")),
+    ]
+    if config.axes[0].name == "sun_zenith":
+        found.append(("7 bands, 0.1 %, a sun below 21 degrees", low_sun))
+    if len(config.axes) > 1 and all(name in {a.name for a in config.axes} for name in _FIXED):
+        found += [
+            ("7 bands, 0.1 %, fixed weather", scene(7, 0.001, fixed=_FIXED)),
+            ("diffuse, 3 bands, 0.1 %, fixed weather", scene(3, 0.001, quantity="irradiance", fixed=_FIXED)),
+        ]
+    return found
+
+
+def _raw(config: Config, edit: Callable[[dict[str, Any]], None]) -> dict[str, Any]:
+    raw = light_alone(deepcopy(settings(config)))
+    raw["report"] = {"figures": []}
+    raw["fit"]["references"] = []
+    edit(raw)
+    return raw
+
+
+def _build(config: Config) -> tuple[float, Table, float]:
+    """Return seconds to the selected table from an empty store, the table and its error."""
+    wanted = [step for step in steps(config) if step.stage in ("truth", "fit", "select", "measure")]
+    with tempfile.TemporaryDirectory() as folder:
+        start = time.perf_counter()
+        _, made = plan.execute(wanted, Store(Path(folder)), {}, silent, lambda _: None, wanted=("select", "measure"))
+        seconds = time.perf_counter() - start
+    name = config.export.recommended
+    table = read_table(made["select"], f"tables/{name}")
+    return seconds, table, facts_of(config, table, made["measure"], name)["e_mean"]

@@ -1,0 +1,123 @@
+"""Number types and evaluation schemes: powers, Horner, Clenshaw and the recurrence, in 64 to 16 bits."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from skylight_sh.fit.bases import BASES
+from skylight_sh.fit.errors import e_mean
+from skylight_sh.studies import single_fit
+from skylight_sh.studies.grid_samples import Samples
+from skylight_sh.studies.page import Row, Section
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+Array = NDArray[np.float64]
+Floats = NDArray[np.floating]
+
+TEXT = (
+    "The paper's degrees for every basis, coefficients rounded to a number type and summed in it (int16: one step for "
+    "the whole table, summed in float32), by powers u**k, Horner's scheme, Clenshaw's, or products with the basis's "
+    "own recurrence, which is what tables ship with. What breaks is the raw monomial in anything but double "
+    "precision, by any scheme: its coefficients are large and cancel. Scaled variables cure it; half floats are never "
+    "enough for weights of 10^4 cd/m2, which is why tables ship as float32, or as whole numbers of one step in as "
+    "many bits as each needs."
+)
+_BITS = ("float64", "float32", "float16", "int16")
+
+
+def section(samples: Samples) -> Section:
+    """Evaluate the same fits every way; errors are the largest per-set E_mean on random sets and corners."""
+    rows: list[Row] = []
+    for label, basis, kind in (
+        ("monomial, raw (the paper)", "monomial", "raw"),
+        ("monomial, scaled", "monomial", "identity"),
+        ("Chebyshev, scaled", "chebyshev", "identity"),
+        ("Chebyshev, config's maps and prefactor", "chebyshev", "config"),
+    ):
+        schemes = ("powers", "Horner") if basis == "monomial" else ("recurrence", "Clenshaw")
+        made = single_fit.fit(samples, samples.half, single_fit.paper_degrees(samples), basis, "svd", kind)
+        factor = single_fit.factor_of(samples, kind, samples.reference.parameters)
+        for scheme in schemes:
+            row: dict[str, object] = {"fit": label, "scheme": scheme}
+            row |= {bits: _error(samples, made, factor, scheme, bits) for bits in _BITS}
+            rows.append(row)
+    return Section("schemes", "Number types and evaluation schemes", TEXT, rows, _draw)
+
+
+def _error(samples: Samples, made: single_fit.Trial, factor: Array, scheme: str, bits: str) -> float:
+    """Return the largest per-set E_mean of a fit kept as ``bits`` and summed by ``scheme``."""
+    dense = made.dense
+    dtype = np.dtype("float32" if bits == "int16" else bits)
+    with np.errstate(all="ignore"):
+        if bits == "int16":
+            step = np.abs(dense).max() / 32767
+            kept = (np.round(dense / step) * step).astype(dtype)
+        else:
+            kept = dense.astype(dtype)
+        values = samples.reference.parameters.astype(dtype)
+        got: Floats = np.repeat(kept[np.newaxis], len(values), axis=0)
+        for i in reversed(range(len(made.axes))):
+            u = made.axes[i].scaled(values[:, i]).reshape(-1, *(1,) * (got.ndim - 2))
+            got = SCHEMES[scheme](got, u)
+        weights = got.astype(np.float64) * factor[:, np.newaxis, np.newaxis]
+        truth = samples.reference.weights
+        return e_mean(weights - truth, samples.reference.headline)
+
+
+def powers(coefficients: Floats, u: Floats) -> Floats:
+    """Sum ``c_k u**k`` over the last axis of ``coefficients``, each power on its own; ``u`` broadcasts to the rest."""
+    total = np.zeros(coefficients.shape[:-1], dtype=coefficients.dtype)
+    for k in range(coefficients.shape[-1]):
+        total = total + coefficients[..., k] * u**k
+    return np.asarray(total)
+
+
+def horner(coefficients: Floats, u: Floats) -> Floats:
+    """Sum ``c_k u**k`` over the last axis from the highest power down."""
+    total = coefficients[..., -1]
+    for k in range(coefficients.shape[-1] - 2, -1, -1):
+        total = total * u + coefficients[..., k]
+    return np.asarray(total)
+
+
+def recurrence(coefficients: Floats, u: Floats) -> Floats:
+    """Sum ``c_k T_k(u)`` over the last axis with the values of the recurrence."""
+    values = BASES["chebyshev"].vander(np.asarray(u), coefficients.shape[-1] - 1)
+    return np.asarray((coefficients * values).sum(axis=-1, dtype=coefficients.dtype))
+
+
+def clenshaw(coefficients: Floats, u: Floats) -> Floats:
+    """Sum ``c_k T_k(u)`` over the last axis by Clenshaw's recurrence on the coefficients."""
+    one = np.zeros(coefficients.shape[:-1], dtype=coefficients.dtype)
+    two = one
+    for k in range(coefficients.shape[-1] - 1, 0, -1):
+        one, two = 2 * u * one - two + coefficients[..., k], one
+    return np.asarray(u * one - two + coefficients[..., 0])
+
+
+SCHEMES = {"powers": powers, "Horner": horner, "recurrence": recurrence, "Clenshaw": clenshaw}
+
+
+def _draw(rows: Sequence[Row]) -> Figure:
+    from skylight_sh.report import style
+
+    figure = style.figure(11, 4.6)
+    axes = figure.subplots()
+    width = 0.2
+    for i, bits in enumerate(_BITS):
+        heights = [value if np.isfinite(value := float(str(row[bits]))) else 1e6 for row in rows]
+        axes.bar(np.arange(len(rows)) + (i - 1.5) * width, heights, width, color=style.SERIES[i], label=bits)
+    axes.set_yscale("log")
+    axes.set_ylim(1e-6, 1e6)
+    axes.set_xticks(range(len(rows)), [f"{row['fit']}\n{row['scheme']}" for row in rows], fontsize=7)
+    axes.yaxis.set_major_formatter(style.percent_ticks())
+    axes.set_ylabel("largest E_mean")
+    axes.grid(True, axis="y", alpha=0.3)
+    axes.legend()
+    return figure

@@ -1,0 +1,59 @@
+"""The order of a table's outputs in a row: what lets the C code add, turn and store four at a time."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from skylight_sh import sphere
+
+Place = tuple[int, int, int]
+_FOUR = 4
+_PAD = 8
+
+
+@dataclass(frozen=True)
+class Layout:
+    """``places``: the (degree l, channel, order m) of every column, or None for padding.
+
+    ``widths`` ``(bands,)``: how many columns the first 1, 2, .. bands take; columns of a band follow those of the
+    bands before it, but for some that fill gaps.
+    """
+
+    places: tuple[Place | None, ...]
+    widths: tuple[int, ...]
+
+    def columns(self, bands: int, channels: int, *, mirrored: bool) -> NDArray[np.int64]:
+        """Return each stored weight's column, ``(channels, count)``; -1 where its degree carries nothing."""
+        found = {place: column for column, place in enumerate(self.places) if place}
+        degrees, orders = (index.tolist() for index in sphere.degrees_orders(bands, mirrored=mirrored))
+        return np.array([[found.get((l, c, m), -1) for l, m in zip(degrees, orders, strict=True)] for c in range(channels)])
+
+
+def layout(bands: int, channels: int, *, mirrored: bool, degrees: Sequence[int] | None = None) -> Layout:
+    """Lay out all outputs, or those of ``degrees`` alone.
+
+    Where orders m < 0 are not stored, every run m = 0..l of one band and channel splits into a remainder m < (l+1) % 4
+    and fours that start at multiples of 4, which a compiler turns by the azimuth and stores as one vector. Gaps before
+    a four are filled with remainders of later bands, so that little is padding.
+    """
+    places: list[Place | None] = []
+    kept = range(bands) if degrees is None else degrees
+    if mirrored:
+        rest = [(l, c, m) for l in kept for c in range(channels) for m in range((l + 1) % _FOUR)]
+        for l in kept:
+            while rest and rest[0][0] <= l:
+                places.append(rest.pop(0))
+            for c in range(channels):
+                for start in range((l + 1) % _FOUR, l + 1, _FOUR):
+                    while len(places) % _FOUR:
+                        places.append(rest.pop(0) if rest else None)
+                    places += [(l, c, start + k) for k in range(_FOUR)]
+    else:
+        places += [(l, c, m) for l in kept for c in range(channels) for m in range(-l, l + 1)]
+    places += [None] * (-len(places) % _PAD)
+    last = [max(k for k, place in enumerate(places) if place and place[0] < b) for b in range(1, bands + 1)]
+    return Layout(tuple(places), tuple(-(-(k + 1) // _PAD) * _PAD for k in last))
