@@ -192,7 +192,7 @@ def test_processes_are_spawned_not_forked() -> None:
             ("light/preetham.py", "quadrature/sun_centred.py", "sphere/_basis.py"),
             ("report/page.py", "fit/sweep.py"),
         ),
-        ("select", ("fit/quantisation.py", "fit/nearest_plane.py", "table/packed.py"), ("report/page.py", "export/shaders.py")),
+        ("select", ("fit/quantisation.py", "fit/nearest_plane.py", "table/packed.py"), ("report/page.py", "cli/main.py")),
         ("report", ("report/page.py", "report/templates/index.html.j2", "report/figures/maps.py"), ("cli/main.py",)),
     ],
 )
