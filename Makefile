@@ -64,12 +64,12 @@ clean: ## Delete the environment, the store and all runs but the reference
 	$(PYTHON) -m venv .venv
 
 # matplotlib indexes the machine's fonts once, at its first import.
-.venv/run.stamp: pyproject.toml requirements.lock | .venv/bin/python
-	.venv/bin/python -m pip install --quiet --disable-pip-version-check -c requirements.lock -e .
+.venv/run.stamp: pyproject.toml setup.py requirements.lock | .venv/bin/python
+	.venv/bin/python -m pip install --quiet --disable-pip-version-check -c requirements.lock -e '.[pipeline]'
 	.venv/bin/python -c 'import matplotlib.font_manager'
 	@touch $@
 
 .venv/dev.stamp: .venv/run.stamp
-	.venv/bin/python -m pip install --quiet --disable-pip-version-check -c requirements.lock -e '.[dev]'
+	.venv/bin/python -m pip install --quiet --disable-pip-version-check -c requirements.lock -e '.[pipeline,dev]'
 	.venv/bin/python -m pip install --quiet --disable-pip-version-check --no-deps tests/example_light
 	@touch $@

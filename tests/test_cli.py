@@ -12,7 +12,7 @@ import pytest
 from click.testing import CliRunner
 from conftest import SMALL
 from skylight_sh import runtime
-from skylight_sh.cli.main import main
+from skylight_sh.cli import main
 from skylight_sh.run.runner import Result
 
 
@@ -23,7 +23,10 @@ def invoke(*arguments: str) -> tuple[int, str, str]:
 
 
 def commands(group: click.Group, start: tuple[str, ...] = ()) -> Iterator[tuple[tuple[str, ...], click.Command]]:
-    for name, command in group.commands.items():
+    context = click.Context(group)
+    for name in group.list_commands(context):
+        command = group.get_command(context, name)
+        assert command is not None
         yield (*start, name), command
         if isinstance(command, click.Group):
             yield from commands(command, (*start, name))
@@ -31,7 +34,8 @@ def commands(group: click.Group, start: tuple[str, ...] = ()) -> Iterator[tuple[
 
 def test_every_command_and_option_has_help() -> None:
     names = {" ".join(path) for path, _ in commands(main)}
-    assert {"run", "bench", "stability", "evaluate", "config schema"} <= names
+    assert {"run", "configs", "init", "bench", "stability", "verify", "evaluate", "project", "export"} <= names
+    assert {"config schema", "config check"} <= names
     assert {f"artifacts {verb}" for verb in ("ls", "show", "verify", "gc")} <= names
     for path, command in commands(main):
         assert command.help, path

@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 from click.testing import CliRunner
-from skylight_sh.cli.main import main
+from skylight_sh.cli import main
 from skylight_sh.config import Config, ConfigError, load, table_names
 
 ROOT = Path(__file__).resolve().parents[1]

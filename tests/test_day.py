@@ -118,6 +118,6 @@ def test_a_clamped_sky_is_told(tmp_path: Path) -> None:
 
 def test_without_astral_the_remedy_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "astral", None)
-    with pytest.raises(MissingExtraError, match=r"pip install -e '\.\[solar\]'"):
+    with pytest.raises(MissingExtraError, match=r"pip install 'skylight-sh\[solar\]'"):
         solar.position(solar.Place(0, 0), datetime(2024, 1, 1, tzinfo=UTC))
     assert day.WRITERS.keys() == {".json", ".csv"}

@@ -9,7 +9,7 @@ import pytest
 from click.testing import CliRunner
 from conftest import run_quietly
 from skylight_sh import runtime, sphere
-from skylight_sh.cli.main import main
+from skylight_sh.cli import main
 from skylight_sh.config import ConfigError, load
 from skylight_sh.light import Plugin
 from skylight_sh.quadrature import fixed

@@ -13,7 +13,7 @@ import pytest
 from click.testing import CliRunner
 from numpy.typing import NDArray
 from skylight_sh import probe, sphere
-from skylight_sh.cli.main import main
+from skylight_sh.cli import main
 from skylight_sh.light import Preetham
 from skylight_sh.probe import Layout, files
 from skylight_sh.probe.charts import Angular, Chart, Face, LatLong

@@ -13,7 +13,7 @@ import pytest
 from click.testing import CliRunner
 from conftest import ROOT, SMALL
 from skylight_sh import runtime
-from skylight_sh.cli.main import main
+from skylight_sh.cli import main
 from skylight_sh.run.runner import Result
 from skylight_sh.studies.claims import gradient, measured, readme
 

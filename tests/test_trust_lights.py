@@ -13,7 +13,7 @@ from click.testing import CliRunner
 from conftest import run_quietly
 from numpy.typing import NDArray
 from skylight_sh import runtime
-from skylight_sh.cli.main import main
+from skylight_sh.cli import main
 from skylight_sh.config import load
 from skylight_sh.fit.errors import Reference
 from skylight_sh.light import (

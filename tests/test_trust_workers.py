@@ -16,7 +16,7 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 from conftest import ROOT, SMALL
-from skylight_sh.cli.main import main
+from skylight_sh.cli import main
 from skylight_sh.light import LightError, Plugin
 from skylight_sh.run import executors
 from skylight_sh.run.executors import WorkerError, map_tasks

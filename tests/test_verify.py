@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from click.testing import CliRunner
 from conftest import SMALL
-from skylight_sh.cli.main import main
+from skylight_sh.cli import main
 from skylight_sh.config import load
 from skylight_sh.export import npz
 from skylight_sh.run.provenance import whole_settings

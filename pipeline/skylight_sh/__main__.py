@@ -1,12 +1,6 @@
-"""``python -m skylight_sh``, and the console command ``skylight-sh``."""
+"""``python -m skylight_sh``: the console command ``skylight-sh``."""
 
-from skylight_sh.cli.main import main
-
-
-def run() -> None:
-    """Run the command line."""
-    main(prog_name="skylight-sh")
-
+from skylight_sh.cli import start
 
 if __name__ == "__main__":
-    run()
+    start()

@@ -1,4 +1,4 @@
-"""The command that reads a picture of the whole sphere: ``project`` prints its SH weights."""
+"""The command ``project``: the SH weights of a picture of the whole sphere."""
 
 from __future__ import annotations
 
@@ -8,7 +8,9 @@ from typing import TYPE_CHECKING
 
 import click
 
-from skylight_sh.cli.tables import BadInputError, show_weights
+from skylight_sh import UserError
+from skylight_sh.cli.evaluate import show_weights
+from skylight_sh.cli.options import warn
 from skylight_sh.probe.layouts import LAYOUTS
 
 if TYPE_CHECKING:
@@ -39,16 +41,16 @@ def project(image: Path, layout: Layout | None, bands: int, blur: float, linear:
     from skylight_sh.probe import files
 
     if not 0.0 <= blur <= 180.0:
-        raise BadInputError(f"Invalid --blur {blur}. Should be from 0 to 180 degrees.")
+        raise UserError(f"Invalid --blur {blur}. Should be from 0 to 180 degrees.")
     try:
         picture = files.read(image, linear=linear)
     except (ValueError, OSError) as error:
-        raise BadInputError(str(error)) from error
+        raise UserError(str(error)) from error
     try:
         chosen = layout or probe.layout_of(*picture.pixels.shape[:2])
         weights = probe.blur(probe.project(picture.pixels, chosen, bands), math.radians(blur))
     except ValueError as error:
-        raise BadInputError(f"{image}: {error}") from error
+        raise UserError(f"{image}: {error}") from error
     if picture.clipped:
-        click.echo(f"Warning: {100 * picture.clipped:.2g} % of the pixels are clipped: brighter light is lost.", err=True)
+        warn(f"{100 * picture.clipped:.2g} % of the pixels are clipped: brighter light is lost.")
     show_weights(weights, picture.channels, as_json=as_json)

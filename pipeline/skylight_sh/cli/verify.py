@@ -7,39 +7,36 @@ from pathlib import Path
 
 import click
 
-from skylight_sh.cli.tables import BadInputError
+from skylight_sh import UserError
+from skylight_sh.cli import options
 
 
 @click.command()
 @click.argument("result", type=click.Path(file_okay=False, path_type=Path), default=Path("reports/reference"))
 @click.option(
     "--config",
-    type=click.Path(path_type=Path),
-    help="Run this config instead of the one that the result's summary.json tells.",
+    help="Run this config, a path or a shipped one's name, instead of the one that the result's summary.json tells.",
 )
 @click.option(
     "--store",
     type=click.Path(file_okay=False, path_type=Path),
     help="Use artifacts that this store holds; without it, all is computed anew and thrown away.",
 )
-def verify(result: Path, config: Path | None, store: Path | None) -> None:
+def verify(result: Path, config: str | None, store: Path | None) -> None:
     """Run the config of RESULT again and compare every file of its SHA256SUMS with what came out.
 
     RESULT is a folder with SHA256SUMS and summary.json, reports/reference by default. A line a file: same, or how much
     differs in what. Exit code 0 where all are the same, 1 where any differs.
     """
-    from skylight_sh.config import ConfigError, load
-    from skylight_sh.quadrature.samples import NotConvergedError
     from skylight_sh.run import verify as verification
-    from skylight_sh.run.stages.select import BudgetError
     from skylight_sh.store.store import Store
 
     try:
-        given = load(config, {}) if config else None
+        given = options.load_config(config, {}) if config else None
         chosen = Store(store) if store else None
-        found = list(verification.verify(result, given, chosen, lambda text: click.echo(f"Warning: {text}", err=True)))
-    except (ConfigError, BudgetError, NotConvergedError, ValueError) as error:
-        raise BadInputError(str(error)) from error
+        found = list(verification.verify(result, given, chosen, options.warn))
+    except ValueError as error:
+        raise UserError(str(error)) from error
     for verdict in found:
         told = f": {verdict.difference}" if verdict.difference else ""
         click.echo(f"{'same' if verdict.same else 'DIFFERS':<8} {verdict.path}{told}")

@@ -11,12 +11,13 @@ from typing import Any
 
 from pydantic import ValidationError
 
+from skylight_sh import UserError
 from skylight_sh.config import extending, sun_range, validation
 from skylight_sh.config.problem import Problem
 from skylight_sh.config.schema import Config
 
 
-class ConfigError(ValueError):
+class ConfigError(UserError, ValueError):
     """A config that cannot be run; its text has one line a problem."""
 
 

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from skylight_sh import MissingExtraError
 from skylight_sh.config.problem import Problem
 from skylight_sh.config.schema import Config
 from skylight_sh.config.surroundings_schema import (
@@ -17,7 +18,6 @@ from skylight_sh.config.surroundings_schema import (
     colour,
     weights,
 )
-from skylight_sh.light import MissingExtraError
 from skylight_sh.probe import files, project
 from skylight_sh.probe.layouts import most_bands, patches
 from skylight_sh.table.surroundings import MOST_BANDS, mask_bands

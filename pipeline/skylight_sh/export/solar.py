@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from datetime import UTC, date, datetime, time, timedelta
 from zoneinfo import ZoneInfo, ZoneInfoNotFoundError
 
-from skylight_sh.light import MissingExtraError
+from skylight_sh import MissingExtraError
 
 
 @dataclass(frozen=True)
@@ -38,7 +38,7 @@ def position(place: Place, moment: datetime) -> tuple[float, float]:
     try:
         from astral import Observer, sun
     except ImportError as error:
-        raise MissingExtraError("The sun's position needs Astral: pip install -e '.[solar]'.") from error
+        raise MissingExtraError("The sun's position needs Astral: pip install 'skylight-sh[solar]'.") from error
     if moment.tzinfo is None:
         raise ValueError(f"Invalid moment {moment.isoformat()}. Should have a time zone.")
     zenith, bearing = sun.zenith_and_azimuth(Observer(place.latitude, place.longitude), moment.astimezone(UTC))

@@ -8,7 +8,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from skylight_sh.light.protocol import MissingExtraError
+from skylight_sh import MissingExtraError
 
 Array = NDArray[np.float64]
 

@@ -31,8 +31,9 @@ from typing import Any, ClassVar, Literal
 
 import numpy as np
 
+from skylight_sh import MissingExtraError
 from skylight_sh.light import colour
-from skylight_sh.light.protocol import OPTIONS, Array, Domain, Hints, MissingExtraError, Parameters, sun_angle
+from skylight_sh.light.protocol import OPTIONS, Array, Domain, Hints, Parameters, sun_angle
 
 # Mitsuba divides RGB radiance by the integral of ybar in nm (``MI_CIE_Y_NORMALIZATION``); photometry counts lm/W.
 _YBAR = 106.7502593994140625

@@ -10,6 +10,7 @@ from typing import ClassVar, Literal
 
 import numpy as np
 
+from skylight_sh import MissingExtraError
 from skylight_sh.light import installed, validation
 from skylight_sh.light.protocol import (
     OPTIONS,
@@ -18,7 +19,6 @@ from skylight_sh.light.protocol import (
     Hints,
     Light,
     LightError,
-    MissingExtraError,
     Parameters,
     RadianceError,
 )

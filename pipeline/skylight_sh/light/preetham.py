@@ -14,9 +14,10 @@ from typing import ClassVar, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from skylight_sh import MissingExtraError
 from skylight_sh.light import colour
 from skylight_sh.light.mixins import OwnCode
-from skylight_sh.light.protocol import OPTIONS, Array, Domain, Hints, MissingExtraError, Parameters, Prefactor, sun_angle
+from skylight_sh.light.protocol import OPTIONS, Array, Domain, Hints, Parameters, Prefactor, sun_angle
 
 Floats = NDArray[np.floating]
 

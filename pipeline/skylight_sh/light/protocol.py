@@ -9,6 +9,8 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from skylight_sh import UserError
+
 Array = NDArray[np.float64]
 Parameters = Mapping[str, Array]
 
@@ -61,11 +63,7 @@ class Hints:
     prefactor: Prefactor | None = None
 
 
-class MissingExtraError(RuntimeError):
-    """A light needs a package that is not installed, or not in the version it knows; the text says how to get it."""
-
-
-class LightError(ValueError):
+class LightError(UserError, ValueError):
     """A light's radiance, or what it tells about itself, makes no sense; the text says where."""
 
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from skylight_sh.light import MissingExtraError
+from skylight_sh import MissingExtraError
 
 if TYPE_CHECKING:
     import OpenImageIO
@@ -47,7 +47,7 @@ def read(path: Path, *, linear: bool = False) -> Picture:
     try:
         import OpenImageIO
     except ImportError as error:
-        raise MissingExtraError("Picture files need OpenImageIO: pip install -e '.[images]'.") from error
+        raise MissingExtraError("Picture files need OpenImageIO: pip install 'skylight-sh[images]'.") from error
     if not path.is_file():
         raise FileNotFoundError(f"{path}: {'a folder' if path.is_dir() else 'no such file'}. Give the path of a picture.")
     hints = OpenImageIO.ImageSpec()

@@ -7,10 +7,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from skylight_sh import UserError
+
 Array = NDArray[np.float64]
 
 
-class NotConvergedError(RuntimeError):
+class NotConvergedError(UserError, RuntimeError):
     """A truth rule did not reach its tolerance within its largest number of nodes."""
 
 

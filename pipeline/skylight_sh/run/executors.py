@@ -16,6 +16,7 @@ from typing import Any, TypeVar
 
 from threadpoolctl import threadpool_limits
 
+from skylight_sh import UserError
 from skylight_sh.run.fingerprint import Fingerprint, differences, fingerprint, in_use
 
 Item = TypeVar("Item")
@@ -27,8 +28,10 @@ _REMEDY = (
 )
 
 
-class WorkerError(RuntimeError):
+class WorkerError(UserError, RuntimeError):
     """A worker has other code or libraries than this process, or cannot work at all; none of its results are used."""
+
+    code = 1
 
 
 class _StoppedError(Exception):

@@ -12,7 +12,7 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from skylight_sh import sphere
+from skylight_sh import UserError, sphere
 from skylight_sh.config.schema import Config
 from skylight_sh.config.wanted import Wanted, wanted
 from skylight_sh.export import npz
@@ -59,7 +59,7 @@ _SIZE_STEPS = 9
 _HEADROOM = 10.0
 
 
-class BudgetError(RuntimeError):
+class BudgetError(UserError, RuntimeError):
     """No table of the config's degrees meets a budget."""
 
 

@@ -116,7 +116,7 @@ def _through_hdr(pixels: Array) -> NDArray[np.float32]:
     try:
         import OpenImageIO
     except ImportError as error:
-        raise MissingExtraError("Picture files need OpenImageIO: pip install -e '.[images]'.") from error
+        raise MissingExtraError("Picture files need OpenImageIO: pip install 'skylight-sh[images]'.") from error
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "sky.hdr"
         out = OpenImageIO.ImageOutput.create(str(path))

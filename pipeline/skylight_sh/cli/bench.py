@@ -1,0 +1,26 @@
+"""The command ``bench``: error against time."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from skylight_sh.cli import options
+
+
+@click.command()
+@click.argument("config", default=options.DEFAULT)
+@click.option("--repeats", type=click.IntRange(3), default=7, show_default=True, help="Runs a median is taken of.")
+@options.reports
+def bench(config: str, repeats: int, reports: Path) -> None:
+    """Measure error against time for CONFIG, which must have run: truth rules, fits, evaluation, growth of cost.
+
+    CONFIG is a path or a shipped config's name, preetham if it is left out.
+    """
+    from skylight_sh.run import progress
+    from skylight_sh.studies.speed import run as benchmarks
+
+    with progress.bar("bench") as advance:
+        text = benchmarks.run(options.load_config(config, {}), reports, repeats, advance)
+    click.echo(text)

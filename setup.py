@@ -1,0 +1,29 @@
+"""What pyproject.toml cannot say: the folder ``configs/`` becomes ``skylight_sh/configs/`` of a built package."""
+
+from pathlib import Path
+
+from setuptools import setup
+from setuptools.command.build_py import build_py
+
+
+class BuildWithConfigs(build_py):
+    """Copies the shipped configs and their pictures; an editable install reads them where they are."""
+
+    def run(self) -> None:
+        """Build as usual, then copy."""
+        super().run()
+        if not self.editable_mode:
+            self.mkpath(str(Path(self.build_lib, "skylight_sh", "configs")))
+            for source, target in self._configs().items():
+                self.copy_file(source, target, preserve_mode=False)
+
+    def get_outputs(self, include_bytecode: bool = True) -> list[str]:
+        """Return the files of a build."""
+        return super().get_outputs(include_bytecode) + list(self._configs().values())
+
+    def _configs(self) -> dict[str, str]:
+        files = sorted(path for path in Path("configs").iterdir() if path.is_file())
+        return {str(path): str(Path(self.build_lib, "skylight_sh", path)) for path in files}
+
+
+setup(cmdclass={"build_py": BuildWithConfigs})
