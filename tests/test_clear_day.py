@@ -11,7 +11,8 @@ from conftest import ONE_LAYOUT, SMALL, run_quietly, scene_config
 from numpy.typing import NDArray
 from skylight_sh import runtime, sphere
 from skylight_sh.config import ConfigError
-from skylight_sh.light import Preetham, sun_disc
+from skylight_sh.light import sun_disc
+from skylight_sh.light.preetham import Preetham
 from skylight_sh.quadrature import sampling
 from skylight_sh.scene.fold import folded
 

@@ -9,7 +9,7 @@ import pandas as pd
 import pytest
 from numpy.typing import NDArray
 from skylight_sh import runtime, sphere
-from skylight_sh.light import Preetham
+from skylight_sh.light.preetham import Preetham
 from skylight_sh.quadrature import rings
 from skylight_sh.run.runner import Result
 

@@ -8,8 +8,9 @@ from typing import Any, get_args, get_type_hints
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from skylight_sh.light import CieGeneral, Preetham, colour
-from skylight_sh.light.preetham import zenith_factor, zenith_luminance
+from skylight_sh.light import colour
+from skylight_sh.light.cie_general import CieGeneral
+from skylight_sh.light.preetham import Preetham, zenith_factor, zenith_luminance
 
 Array = NDArray[np.float64]
 SKIES = get_args(get_type_hints(CieGeneral)["sky"])

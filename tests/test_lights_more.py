@@ -17,8 +17,11 @@ from conftest import ROOT
 from numpy.typing import NDArray
 from skylight_sh import sphere
 from skylight_sh.config import ConfigError, load
-from skylight_sh.light import CieTraditional, Perez, Preetham, colour, perez, spherical_lights, sun_disc
-from skylight_sh.quadrature.fixed import zenith_gauss
+from skylight_sh.light import colour, perez, spherical_lights, sun_disc
+from skylight_sh.light.cie_traditional import CieTraditional
+from skylight_sh.light.perez import Perez
+from skylight_sh.light.preetham import Preetham
+from skylight_sh.quadrature import zenith_gauss
 from skylight_sh.run import plan, progress
 from skylight_sh.run.runner import steps
 from skylight_sh.run.stages.export import facts_of
@@ -179,7 +182,7 @@ def test_perez_prefactor_is_the_shape_towards_the_zenith(tmp_path: Path) -> None
 def test_perez_zenith_luminance_agrees_with_the_diffuse_efficacy() -> None:
     """Two regressions of the same 1990 paper: the sky's illuminance over the one that its efficacy gives."""
     efficacy = perezsky.EFFICACY_DIFFUSE
-    where, solid = zenith_gauss(60)
+    where, solid = zenith_gauss.directions(60)
     ratios = []
     for category in CATEGORIES:
         domain = Perez(category=category).domains["brightness"]
@@ -349,7 +352,7 @@ def test_sky_and_sun_add_up_to_a_clear_day() -> None:
     beam = float(sun_disc.normal_illuminance(theta, tau)) * math.cos(theta)
     # Eight bands of a clamped cosine hold it to 2 % towards a pulse.
     assert irradiance @ colour.luminance_row("srgb") == pytest.approx(beam, rel=0.02)
-    where, solid = zenith_gauss(80)
+    where, solid = zenith_gauss.directions(80)
     sky = Preetham().radiance(where, {"sun_zenith": np.array(theta), "turbidity": np.array(tau)})
     diffuse = float(((sky @ colour.luminance_row("srgb")) * where[:, 2] * solid).sum())
     # A clear day with the sun 50 degrees high: some 75 to 100 klx, a tenth to a third of it from the sky.

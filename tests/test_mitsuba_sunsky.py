@@ -8,7 +8,8 @@ import mitsuba
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from skylight_sh.light import MissingExtraError, MitsubaSunsky, mitsuba_sunsky
+from skylight_sh.light import MissingExtraError, mitsuba_sunsky
+from skylight_sh.light.mitsuba_sunsky import MitsubaSunsky
 from skylight_sh.quadrature import convergence, sampling
 from skylight_sh.quadrature import parameter_points as parameter_sets
 from skylight_sh.run.executors import map_tasks

@@ -11,8 +11,8 @@ from conftest import run_quietly
 from skylight_sh import runtime, sphere
 from skylight_sh.cli import main
 from skylight_sh.config import ConfigError, load
-from skylight_sh.light import Plugin
-from skylight_sh.quadrature import fixed
+from skylight_sh.light.plugin import Plugin
+from skylight_sh.quadrature import direction_sums, zenith_gauss
 from skylight_sh.store.store import Store
 
 CONFIG = """
@@ -61,13 +61,13 @@ def write(tmp_path: Path, text: str) -> Path:
 def test_a_black_box_from_another_package_goes_all_the_way(tmp_path: Path) -> None:
     result = run_quietly(load(write(tmp_path, CONFIG)), tmp_path)
     light = Plugin("example_glow", {"width": 0.8})
-    directions, solid = fixed.zenith_gauss(120)
-    table = fixed.tabulate(directions, solid, 3)
+    directions, solid = zenith_gauss.directions(120)
+    table = direction_sums.tabulate(directions, solid, 3)
     for row in result.summary["tables"]:
         assert row["e_mean"] <= 0.001
         loaded = runtime.load(result.folder / row["path"] / "skylight_sh.npz")
         for sun, strength in ((0.0, 8.0), (0.7, 2.3), (1.5, 0.5)):
-            exact = fixed.project_one(light, {"sun_zenith": sun, "strength": strength}, directions, table)
+            exact = direction_sums.project_one(light, {"sun_zenith": sun, "strength": strength}, directions, table)
             # The sky's least radiance is 1000 cd/m2 at least.
             assert np.linalg.norm(loaded.weights(sun, 0.0, strength) - exact) < 0.001 * 1000 * (1 + strength)
     store = Store(tmp_path / "artifacts")

@@ -14,7 +14,7 @@ from click.testing import CliRunner
 from numpy.typing import NDArray
 from skylight_sh import probe, sphere
 from skylight_sh.cli import main
-from skylight_sh.light import Preetham
+from skylight_sh.light.preetham import Preetham
 from skylight_sh.probe import Layout, files
 from skylight_sh.probe.charts import Angular, Chart, Face, LatLong
 from skylight_sh.quadrature import sun_centred

@@ -9,8 +9,10 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 from skylight_sh import sphere
-from skylight_sh.light import CieGeneral, Domain, Hints, Light, Preetham
-from skylight_sh.quadrature import adaptive, fixed, rings, sun_centred
+from skylight_sh.light import Domain, Hints, Light
+from skylight_sh.light.cie_general import CieGeneral
+from skylight_sh.light.preetham import Preetham
+from skylight_sh.quadrature import adaptive, direction_sums, rings, sun_centred
 from skylight_sh.quadrature import parameter_points as parameter_sets
 from skylight_sh.quadrature.samples import NotConvergedError, Samples
 
@@ -99,7 +101,9 @@ def test_a_table_of_nodes_sums_what_the_rule_does(rule: str) -> None:
         nodes, expected = rings.half_sky(1.2, 40, 7), rings.project(light, ONE, nodes=40, bands=7, mirrored=True)
     else:
         nodes, expected = sun_centred.half_sky(1.2, 40), sun_centred.project(light, ONE, nodes=40, bands=7, mirrored=True)
-    got = fixed.project_one(light, {"sun_zenith": 1.2, "turbidity": 3.0}, nodes[0], fixed.tabulate(*nodes, 7, mirrored=True))
+    got = direction_sums.project_one(
+        light, {"sun_zenith": 1.2, "turbidity": 3.0}, nodes[0], direction_sums.tabulate(*nodes, 7, mirrored=True)
+    )
     assert error(got[np.newaxis, np.newaxis], expected.weights).max() < 1e-13
 
 

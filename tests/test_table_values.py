@@ -9,7 +9,7 @@ import pytest
 from numpy.typing import NDArray
 from skylight_sh import runtime, sphere
 from skylight_sh.fit.axis import Axis
-from skylight_sh.light import Preetham
+from skylight_sh.light.preetham import Preetham
 from skylight_sh.table import bits, packed, prefactor, rows, surroundings, twilight
 from skylight_sh.table.prefactor import ClosedForm, Reciprocal
 from skylight_sh.table.row_layout import layout

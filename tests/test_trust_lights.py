@@ -16,22 +16,13 @@ from skylight_sh import runtime
 from skylight_sh.cli import main
 from skylight_sh.config import load
 from skylight_sh.fit.errors import Reference
-from skylight_sh.light import (
-    BlackBox,
-    CieGeneral,
-    CieTraditional,
-    Domain,
-    Fixed,
-    Hints,
-    Light,
-    LightError,
-    Luminance,
-    MitsubaSunsky,
-    Perez,
-    Plugin,
-    Preetham,
-    installed,
-)
+from skylight_sh.light import BlackBox, Domain, Fixed, Hints, Light, LightError, Luminance, installed
+from skylight_sh.light.cie_general import CieGeneral
+from skylight_sh.light.cie_traditional import CieTraditional
+from skylight_sh.light.mitsuba_sunsky import MitsubaSunsky
+from skylight_sh.light.perez import Perez
+from skylight_sh.light.plugin import Plugin
+from skylight_sh.light.preetham import Preetham
 from skylight_sh.quadrature.samples import Samples
 from skylight_sh.quadrature.validation import check_samples, vet
 from skylight_sh.run.runner import Result
@@ -47,7 +38,8 @@ import dataclasses
 
 import numpy as np
 
-from skylight_sh.light import Domain, Hints, Preetham
+from skylight_sh.light import Domain, Hints
+from skylight_sh.light.preetham import Preetham
 
 KNOWN = Preetham().hints.prefactor
 

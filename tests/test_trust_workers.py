@@ -17,7 +17,8 @@ import pytest
 from click.testing import CliRunner
 from conftest import ROOT, SMALL
 from skylight_sh.cli import main
-from skylight_sh.light import LightError, Plugin
+from skylight_sh.light import LightError
+from skylight_sh.light.plugin import Plugin
 from skylight_sh.run import executors
 from skylight_sh.run.executors import WorkerError, map_tasks
 from skylight_sh.run.fingerprint import fingerprint, in_use

@@ -9,7 +9,9 @@ import pytest
 from numpy.typing import NDArray
 from scipy import integrate, optimize
 from skylight_sh import sphere
-from skylight_sh.light import CieGeneral, Light, Preetham
+from skylight_sh.light import Light
+from skylight_sh.light.cie_general import CieGeneral
+from skylight_sh.light.preetham import Preetham
 from skylight_sh.quadrature import convergence, least_luminance, samples, sampling
 from skylight_sh.quadrature import parameter_points as parameter_sets
 

@@ -9,8 +9,9 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 from skylight_sh import sphere
-from skylight_sh.light import Domain, Hints, Preetham
-from skylight_sh.quadrature import adaptive, convergence, fixed, least_luminance, rings, sun_centred
+from skylight_sh.light import Domain, Hints
+from skylight_sh.light.preetham import Preetham
+from skylight_sh.quadrature import adaptive, convergence, least_luminance, monte_carlo, rings, sun_centred, zenith_gauss
 from skylight_sh.quadrature.registry import RULES, suited
 from skylight_sh.quadrature.samples import Samples, keep_least
 from skylight_sh.scene import clear_day
@@ -107,12 +108,12 @@ def test_ring_nodes_are_graded_at_the_peak_and_the_horizon(theta: float, bands: 
 
 
 def test_rules_that_know_no_sun_have_plain_nodes() -> None:
-    directions, weights = fixed.zenith_gauss(3)
+    directions, weights = zenith_gauss.directions(3)
     x, w = np.polynomial.legendre.leggauss(3)
     assert directions[:, 2] == pytest.approx(np.repeat((1 + x) / 2, 6))
     assert np.arctan2(directions[:6, 1], directions[:6, 0]) % (2 * np.pi) == pytest.approx(np.pi / 6 * np.arange(1, 12, 2))
     assert weights == pytest.approx(np.repeat(w * np.pi / 6, 6))
-    directions, weights = fixed.stratified(4, seed=3)
+    directions, weights = monte_carlo.directions(4, seed=3)
     assert weights.tolist() == [pytest.approx(np.pi / 8)] * 16
     assert np.floor(4 * directions[:, 2]).tolist() == np.repeat(range(4), 4).tolist()
     turn = np.arctan2(directions[:, 1], directions[:, 0]) % (2 * np.pi)
@@ -120,7 +121,7 @@ def test_rules_that_know_no_sun_have_plain_nodes() -> None:
     assert np.abs(np.linalg.norm(directions, axis=-1) - 1.0).max() < 1e-15
 
 
-@pytest.mark.parametrize("rule", [sun_centred.project, rings.project, fixed.project_zenith])
+@pytest.mark.parametrize("rule", [sun_centred.project, rings.project, zenith_gauss.project])
 def test_a_constant_sky_has_the_weights_of_half_a_sphere(rule: Callable[..., Samples]) -> None:
     parameters = {"sun_zenith": np.array([[0.3], [1.2]]), "haze": np.array([[0.1, 0.2, 0.3], [0.4, 0.5, 0.6]])}
     got = rule(Seen(Hints(peak_axis="sun_zenith")), parameters, nodes=40, bands=5, mirrored=False)
@@ -140,7 +141,7 @@ def test_plain_nodes_are_summed_in_blocks_of_bounded_memory() -> None:
     light = Preetham()
     parameters = {"sun_zenith": np.array([[0.3]]), "turbidity": np.array([[3.0]])}
     tracemalloc.start()
-    fixed.project_zenith(light, parameters, nodes=160, bands=24, mirrored=False)
+    zenith_gauss.project(light, parameters, nodes=160, bands=24, mirrored=False)
     peak = tracemalloc.get_traced_memory()[1]
     tracemalloc.stop()
     assert peak < 250e6

@@ -7,7 +7,8 @@ from typing import Any
 
 import numpy as np
 import pytest
-from skylight_sh.light import CieGeneral, CieTraditional
+from skylight_sh.light.cie_general import CieGeneral
+from skylight_sh.light.cie_traditional import CieTraditional
 
 from golden.oracles import angle, hemisphere, towards, upper
 

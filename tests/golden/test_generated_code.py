@@ -17,7 +17,8 @@ from skylight_sh import runtime
 from skylight_sh.export import c_header, paper_literal, shaders
 from skylight_sh.export.c_header import Facts
 from skylight_sh.fit.axis import Axis
-from skylight_sh.light import Perez, Preetham
+from skylight_sh.light.perez import Perez
+from skylight_sh.light.preetham import Preetham
 from skylight_sh.table.prefactor import ClosedForm, Factor, Reciprocal
 from skylight_sh.table.table import Frame, Table, fast
 

@@ -8,7 +8,7 @@ import colour as colour_science
 import mitsuba
 import numpy as np
 import pytest
-from skylight_sh.light import MitsubaSunsky
+from skylight_sh.light.mitsuba_sunsky import MitsubaSunsky
 
 from golden.oracles import towards, upper
 

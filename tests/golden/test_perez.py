@@ -9,7 +9,8 @@ import numpy as np
 import perezsky
 import pytest
 from perezsky.coefficients import LUMINANCE_1993
-from skylight_sh.light import Perez, perez
+from skylight_sh.light import perez
+from skylight_sh.light.perez import Perez
 
 from golden.oracles import angle, towards, upper
 

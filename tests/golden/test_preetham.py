@@ -11,8 +11,7 @@ from typing import Any
 import mpmath
 import numpy as np
 import pytest
-from skylight_sh.light import Preetham
-from skylight_sh.light.preetham import zenith_factor, zenith_luminance
+from skylight_sh.light.preetham import Preetham, zenith_factor, zenith_luminance
 
 from golden.oracles import (
     PREETHAM,

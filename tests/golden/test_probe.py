@@ -11,7 +11,7 @@ import pytest
 from numpy.typing import NDArray
 from scipy import integrate
 from skylight_sh import probe
-from skylight_sh.light import CieTraditional
+from skylight_sh.light.cie_traditional import CieTraditional
 from skylight_sh.probe import charts, files, layouts
 from skylight_sh.report import panorama
 

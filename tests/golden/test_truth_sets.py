@@ -8,8 +8,18 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 from scipy import optimize
-from skylight_sh.light import CieTraditional, Preetham
-from skylight_sh.quadrature import fixed, least_luminance, parameter_points, ring_sums, rings, sampling, sun_centred
+from skylight_sh.light.cie_traditional import CieTraditional
+from skylight_sh.light.preetham import Preetham
+from skylight_sh.quadrature import (
+    least_luminance,
+    monte_carlo,
+    parameter_points,
+    ring_sums,
+    rings,
+    sampling,
+    sun_centred,
+    zenith_gauss,
+)
 
 from golden.oracles import REC709, WHITE, basis, orders, preetham_xyz, towards, xyz_to_rgb
 
@@ -45,11 +55,11 @@ def test_least_luminance_is_scipys(theta: float, tau: float) -> None:
 
 def test_nodes_integrate_the_hemisphere() -> None:
     """2 pi sr, pi for a cosine, 2 pi / 3 for its square; each cell of Green's samples holds one sample of equal area."""
-    for where, solid in (fixed.zenith_gauss(6), sun_centred.half_sky(0.7, 24), sun_centred.half_sky(math.pi / 2, 24)):
+    for where, solid in (zenith_gauss.directions(6), sun_centred.half_sky(0.7, 24), sun_centred.half_sky(math.pi / 2, 24)):
         assert solid.sum() == pytest.approx(2 * math.pi, rel=1e-9)
         assert (where[:, 2] * solid).sum() == pytest.approx(math.pi, rel=1e-9)
         assert (where[:, 2] ** 2 * solid).sum() == pytest.approx(2 * math.pi / 3, rel=1e-9)
-    where, solid = fixed.stratified(8, 3)
+    where, solid = monte_carlo.directions(8, 3)
     assert solid == pytest.approx(np.full(64, 2 * math.pi / 64), rel=1e-14)
     azimuth = np.arctan2(where[:, 1], where[:, 0]) % (2 * math.pi)
     cells = np.floor(where[:, 2] * 8).astype(int), np.floor(azimuth * 8 / (2 * math.pi)).astype(int)

@@ -8,31 +8,25 @@ from typing import Annotated, Literal
 
 from pydantic import Field, PrivateAttr
 
+from skylight_sh.config.choices import AnyOf, OneOf
 from skylight_sh.config.section import Section
 from skylight_sh.config.surroundings_schema import CloudsSection, LightSection, OccluderSection
-from skylight_sh.light import (
-    BlackBox,
-    CieGeneral,
-    CieTraditional,
-    Fixed,
-    Light,
-    Luminance,
-    MitsubaSunsky,
-    Perez,
-    Plugin,
-    Preetham,
-)
+from skylight_sh.fit.bases import BASES
+from skylight_sh.fit.least_squares import SOLVERS
+from skylight_sh.fit.maps import MAPS
+from skylight_sh.light import LIGHTS, BlackBox, Fixed, Light, Luminance, OptionsOfLight
+from skylight_sh.quadrature.registry import RULES
 
 Name = Annotated[str, Field(pattern=r"^[a-z0-9][a-z0-9_-]{0,39}$")]
 Degree = Annotated[int, Field(ge=0, le=40)]
 Fraction = Annotated[float, Field(gt=0.0, le=1.0)]
 Bands = Annotated[int, Field(ge=1, le=32)]
 DType = Literal["float32", "float64"]
-BasisName = Literal["chebyshev", "legendre", "monomial", "fourier"]
+BasisName = Annotated[str, OneOf(BASES, "basis")]
 Picture = Literal[
     "bands", "origins", "maps", "panoramas", "surroundings", "daylight", "ringing", "gibbs", "encoding", "bytes", "degrees"
 ]
-SolverName = Literal["svd", "qr", "normal"]
+SolverName = Annotated[str, OneOf(SOLVERS, "solver")]
 Target = Literal["c", "npz", "glsl", "hlsl", "wgsl", "vectors"]
 
 
@@ -41,10 +35,7 @@ class AxisSection(Section):
 
     name: str = Field(description="a parameter of the light, e.g. sun_zenith (radians) or turbidity")
     range: tuple[float, float] = Field(description="[low, high] with low < high, inside the light's domain")
-    map: Literal["raw", "identity", "log", "reciprocal", "cbrt", "auto"] = Field(
-        "identity",
-        description="change of variable: raw (none), identity (scaled to [-1, 1]), log, reciprocal or cbrt about `point`",
-    )
+    map: Annotated[str, OneOf(MAPS, "change of variable about `point`", (("auto", "found in samples"),))] = "identity"
     point: float = Field(
         0.0, description="singular point of map = log (below the range), reciprocal (outside) or cbrt (not below)"
     )
@@ -62,10 +53,7 @@ class TruthSection(Section):
     orders: Literal["auto", "all"] = Field(
         "auto", description="auto: m >= 0 alone where the light is symmetric; all: every m"
     )
-    rule: Literal["auto", "sun-centred", "rings", "zenith", "stratified", "adaptive"] = Field(
-        "auto",
-        description="truth rule: auto (by the light's hints), sun-centred, rings, zenith, stratified or adaptive",
-    )
+    rule: Annotated[str, OneOf(RULES, "truth rule", (("auto", "by the light's hints"),))] = "auto"
     hints: bool = Field(True, description="false hides what the light tells about itself: a black box")
     random: int = Field(500, ge=0, le=100_000, description="further random sets that selection sees, 0 to 100000")
     seed: int = Field(2008, ge=0, description="seed of the random sets, 0 or more")
@@ -83,8 +71,8 @@ class ReferenceSection(Section):
     """A fit for comparison, on the same samples."""
 
     name: Name = Field(description="lower-case letters, digits, - and _; at most 40")
-    basis: BasisName = Field("monomial", description="chebyshev, legendre, monomial or fourier")
-    solver: SolverName = Field("normal", description="svd, qr, or normal (the normal equations)")
+    basis: BasisName = "monomial"
+    solver: SolverName = "normal"
     scaled: bool = Field(False, description="whether parameters are scaled to [-1, 1] first")
     degrees: tuple[Degree, ...] = Field(description="one degree an axis, below the axis's nodes")
     dtype: DType = Field("float64", description="number type the table is kept and evaluated in")
@@ -93,8 +81,8 @@ class ReferenceSection(Section):
 class FitSection(Section):
     """The fit that is swept over degrees and bands."""
 
-    basis: BasisName = Field("chebyshev", description="chebyshev, legendre, monomial (the paper) or fourier")
-    solver: SolverName = Field("svd", description="svd, qr, or normal (the normal equations, for monomials)")
+    basis: BasisName = "chebyshev"
+    solver: SolverName = "svd"
     prefactor: bool | Literal["auto"] = Field(
         True,
         description="true: divide by the light's closed form if it has one; false: by nothing; auto: find one in samples",
@@ -233,12 +221,7 @@ class Config(Section):
         description="a config beside this one, of which this one then says only what differs: tables are merged, axes and "
         "references by name",
     )
-    light: Annotated[
-        Preetham | CieGeneral | CieTraditional | Perez | MitsubaSunsky | Plugin, Field(discriminator="model")
-    ] = Field(
-        description="the light: model = preetham, cie_general, cie_traditional, perez, mitsuba_sunsky or plugin, and its "
-        "options"
-    )
+    light: Annotated[OptionsOfLight, AnyOf(LIGHTS, "model", "the light")]
     axes: tuple[AxisSection, ...] = Field(description="the light's parameters, one [[axes]] table each")
     truth: TruthSection = Field(description="a [truth] section: how the ground truth is sampled")
     fit: FitSection = FitSection()

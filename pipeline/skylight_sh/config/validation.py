@@ -10,7 +10,8 @@ from skylight_sh.config import surroundings_validation
 from skylight_sh.config.problem import Problem
 from skylight_sh.config.schema import AxisSection, Config
 from skylight_sh.config.wanted import table_names
-from skylight_sh.light import PREFACTORS, Preetham
+from skylight_sh.light import PREFACTORS
+from skylight_sh.light.preetham import Preetham
 
 # None of the locals of headers and shaders, such as x0, t1, c2, a3_1 and fade2.
 _NAME = re.compile(r"(?!([a-z]|fade)\d+(_\d+)?$)[a-z][a-z0-9_]{1,31}")

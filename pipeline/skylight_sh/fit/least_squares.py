@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 Floats = NDArray[np.floating]
-
-SOLVERS = ("svd", "qr", "normal")
 
 
 def fit_tensor(samples: Array, matrices: Sequence[Floats]) -> Array:
@@ -29,25 +27,37 @@ def fit_tensor(samples: Array, matrices: Sequence[Floats]) -> Array:
 def fit_full(samples: Array, matrices: Sequence[Floats], solver: str) -> Array:
     """Fit by one system over all grid points: what the paper's description amounts to. Shapes as ``fit_tensor``.
 
-    ``normal`` solves the normal equations by LU, rounding and all; ``qr`` triangularises the system itself; ``svd``
-    drops directions lost in rounding. Raises ValueError for another name.
+    Raises ValueError for a ``solver`` that is none of ``SOLVERS``.
     """
+    if solver not in SOLVERS:
+        raise ValueError(f"Unknown solver {solver!r}. Should be one of: {', '.join(SOLVERS)}.")
     system = matrices[0]
     for matrix in matrices[1:]:
         system = np.einsum("ai,bj->abij", system, matrix).reshape(len(system) * len(matrix), -1)
-    right = samples.reshape(len(system), -1)
-    if solver == "normal":
-        solution = np.linalg.solve(system.T @ system, system.T @ right)
-    elif solver == "qr":
-        q, r = np.linalg.qr(system)
-        solution = np.linalg.solve(r, q.T @ right)
-    elif solver == "svd":
-        solution = np.linalg.lstsq(system, right, rcond=None)[0]
-    else:
-        raise ValueError(f"Unknown solver {solver!r}. Should be one of: {', '.join(SOLVERS)}.")
+    solution = SOLVERS[solver](system, samples.reshape(len(system), -1))
     return np.asarray(solution.T.reshape(-1, *(m.shape[1] for m in matrices)))
 
 
 def condition(matrices: Sequence[Floats]) -> float:
     """Return the condition number of the whole least-squares system: the product of its factors'."""
     return float(np.prod([np.linalg.cond(m) for m in matrices]))
+
+
+def _svd(system: Floats, right: Array) -> Floats:
+    """Drop directions lost in rounding."""
+    return np.asarray(np.linalg.lstsq(system, right, rcond=None)[0])
+
+
+def _qr(system: Floats, right: Array) -> Floats:
+    """Triangularise the system itself."""
+    q, r = np.linalg.qr(system)
+    return np.asarray(np.linalg.solve(r, q.T @ right))
+
+
+def _normal(system: Floats, right: Array) -> Floats:
+    """Solve the normal equations by LU, rounding and all."""
+    return np.asarray(np.linalg.solve(system.T @ system, system.T @ right))
+
+
+# Each solves ``system`` ``(points, functions)`` for ``right`` ``(points, outputs)``: ``(functions, outputs)``.
+SOLVERS: Mapping[str, Callable[[Floats, Array], Floats]] = {"svd": _svd, "qr": _qr, "normal": _normal}

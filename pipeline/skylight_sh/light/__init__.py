@@ -3,24 +3,23 @@
 from __future__ import annotations
 
 from skylight_sh import MissingExtraError
-from skylight_sh.light.cie_general import CieGeneral
-from skylight_sh.light.cie_traditional import CieTraditional
-from skylight_sh.light.mitsuba_sunsky import MitsubaSunsky
 from skylight_sh.light.perez import Perez
-from skylight_sh.light.plugin import Plugin
 from skylight_sh.light.preetham import Preetham
-from skylight_sh.light.protocol import Domain, Hints, Light, LightError, Prefactor
+from skylight_sh.light.protocol import Domain, Hints, Light, LightError, OptionsOfLight, Prefactor
 from skylight_sh.light.wrappers import BlackBox, Fixed, Luminance
+from skylight_sh.registry import Registry
 
-# A light's dataclass fields are its options in a config's [light] section; ``model`` tells the lights apart.
-LIGHTS = {
-    "preetham": Preetham,
-    "cie_general": CieGeneral,
-    "cie_traditional": CieTraditional,
-    "perez": Perez,
-    "mitsuba_sunsky": MitsubaSunsky,
-    "plugin": Plugin,
-}
+# A light's dataclass fields are its options in a config's [light] section; its field ``model`` is its name here.
+LIGHTS: Registry[type[OptionsOfLight]] = Registry(
+    {
+        "preetham": "skylight_sh.light.preetham:Preetham",
+        "cie_general": "skylight_sh.light.cie_general:CieGeneral",
+        "cie_traditional": "skylight_sh.light.cie_traditional:CieTraditional",
+        "perez": "skylight_sh.light.perez:Perez",
+        "mitsuba_sunsky": "skylight_sh.light.mitsuba_sunsky:MitsubaSunsky",
+        "plugin": "skylight_sh.light.plugin:Plugin",
+    }
+)
 # Every prefactor a table may name.
 PREFACTORS = {p.name: p for p in (Preetham().hints.prefactor, Perez(category=8).hints.prefactor) if p}
 
@@ -28,8 +27,6 @@ __all__ = [
     "LIGHTS",
     "PREFACTORS",
     "BlackBox",
-    "CieGeneral",
-    "CieTraditional",
     "Domain",
     "Fixed",
     "Hints",
@@ -37,9 +34,6 @@ __all__ = [
     "LightError",
     "Luminance",
     "MissingExtraError",
-    "MitsubaSunsky",
-    "Perez",
-    "Plugin",
-    "Preetham",
+    "OptionsOfLight",
     "Prefactor",
 ]

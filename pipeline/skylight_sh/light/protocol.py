@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
-from typing import Protocol
+from dataclasses import Field, dataclass
+from typing import Any, ClassVar, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -104,6 +104,16 @@ class Light(Protocol):
         ``directions`` are unit vectors ``(..., 3)``, z up, the peak's azimuth 0; each parameter broadcasts
         against ``directions.shape[:-1]``. Directions below the horizon are not asked for.
         """
+
+
+class OptionsOfLight(Light, Protocol):
+    """A light that a config makes: a frozen dataclass, whose fields are its options."""
+
+    __dataclass_fields__: ClassVar[dict[str, Field[Any]]]
+
+    @property
+    def model(self) -> str:
+        """Name in ``LIGHTS``."""
 
 
 def sun_angle(directions: Array, theta: Array) -> tuple[Array, Array]:

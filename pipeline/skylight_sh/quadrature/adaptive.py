@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from skylight_sh import sphere
 from skylight_sh.light.protocol import Light, Parameters
+from skylight_sh.quadrature.rule import Rule
 from skylight_sh.quadrature.samples import NotConvergedError, Samples, keep_least
 
 Array = NDArray[np.float64]
@@ -222,3 +223,6 @@ def _keys(cells: Cells) -> Cells:
 def _gauss(n: int) -> tuple[Array, Array]:
     x, w = np.polynomial.legendre.leggauss(n)
     return (1.0 + x) / 2.0, w / 2.0
+
+
+RULE = Rule("adaptive cells", project, None)

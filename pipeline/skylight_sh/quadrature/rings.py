@@ -21,6 +21,7 @@ from scipy import special
 from skylight_sh import sphere
 from skylight_sh.light.protocol import Light, Parameters
 from skylight_sh.quadrature.ring_sums import accumulate
+from skylight_sh.quadrature.rule import FINE, Rule, steps
 from skylight_sh.quadrature.samples import Samples, keep_least
 
 Array = NDArray[np.float64]
@@ -189,3 +190,6 @@ def _view(samples: Samples, group: int, part: slice) -> Samples:
         samples.least_direction[group, part],
         samples.estimate[group, part],
     )
+
+
+RULE = Rule("graded rings about the zenith", project, steps(*FINE, beyond=8))

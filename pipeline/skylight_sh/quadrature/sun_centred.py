@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from skylight_sh import sphere
 from skylight_sh.light.protocol import Light, Parameters
 from skylight_sh.quadrature.ring_sums import accumulate
+from skylight_sh.quadrature.rule import FINE, Rule, steps
 from skylight_sh.quadrature.samples import Samples, keep_least
 
 Array = NDArray[np.float64]
@@ -113,3 +114,6 @@ def _directions(theta: Array, g: Array, psi: Array) -> Array:
     # Rounding must not carry a node below the horizon.
     out[..., 2] = np.maximum(cos_theta * cos_g + sin_theta * up, 0.0)
     return out
+
+
+RULE = Rule("sun-centred Gauss", project, steps(*FINE, beyond=12))

@@ -25,6 +25,8 @@ _ELSEWHERE = (
     "run/provenance.py",
 )
 _SUFFIXES = (".py", ".j2", ".h", ".c")
+# A registry's places.
+_NAMED = re.compile(rf"[\"']({PACKAGE}[\w.]*):\w+[\"']")
 _IMPORT = re.compile(
     rf"^[ \t]*(?:from[ \t]+({PACKAGE}[\w.]*)[ \t]+import[ \t]+(\([^)]*\)|[^\n(]+)|import[ \t]+({PACKAGE}[\w.]*))",
     re.MULTILINE,
@@ -96,10 +98,13 @@ def _files(name: str) -> list[Path]:
 @lru_cache(maxsize=512)
 def _imported(path: Path) -> tuple[Path, ...]:
     found: list[Path] = []
-    for source, names, plain in _IMPORT.findall(path.read_text(encoding="utf-8")):
+    text = path.read_text(encoding="utf-8")
+    for source, names, plain in _IMPORT.findall(text):
         found += _files(source or plain)
         for name in re.findall(r"[\w]+", re.sub(r"\bas\s+\w+|#[^\n]*", "", names)):
             found += _files(f"{source}.{name}")
+    for named in _NAMED.findall(text):
+        found += _files(named)
     return tuple(dict.fromkeys(found))
 
 

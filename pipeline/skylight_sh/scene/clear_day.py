@@ -10,8 +10,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from skylight_sh.light import Preetham, sun_disc
-from skylight_sh.quadrature.fixed import zenith_gauss
+from skylight_sh.light import sun_disc
+from skylight_sh.light.preetham import Preetham
+from skylight_sh.quadrature import zenith_gauss
 
 Array = NDArray[np.float64]
 
@@ -27,7 +28,7 @@ def clear_day(theta: ArrayLike, tau: float) -> tuple[Array, Array]:
     """
     zeniths, light = np.asarray(theta, dtype=np.float64), Preetham()
     disc = sun_disc.normal_illuminance(zeniths, np.full(zeniths.shape, tau)) * np.cos(zeniths)
-    directions, solid = zenith_gauss(_NODES)
+    directions, solid = zenith_gauss.directions(_NODES)
     falling = directions[:, 2] * solid
     skies = [
         (light.radiance(directions, {"sun_zenith": zenith, "turbidity": np.array([tau])}) @ light.luminance_row) @ falling

@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 from skylight_sh import sphere
 from skylight_sh.config.schema import Config
 from skylight_sh.fit.errors import Reference
-from skylight_sh.light import Preetham, sun_disc
+from skylight_sh.light import sun_disc
+from skylight_sh.light.preetham import Preetham
 
 Array = NDArray[np.float64]
 Index = NDArray[np.int64]

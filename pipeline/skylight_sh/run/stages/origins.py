@@ -14,7 +14,7 @@ from skylight_sh.config.schema import Config
 from skylight_sh.fit import least_squares
 from skylight_sh.fit.bases import BASES
 from skylight_sh.fit.errors import Reference, e_mean, mean_luminance
-from skylight_sh.quadrature import fixed
+from skylight_sh.quadrature import direction_sums, monte_carlo
 from skylight_sh.quadrature import parameter_points as parameter_sets
 from skylight_sh.run.executors import Advance, map_tasks
 from skylight_sh.run.plan import Inputs, Step
@@ -120,8 +120,8 @@ def _call(job: partial[Array]) -> Array:
 
 def _row(config: Config, sets: Array, side: int, bands: int, seed: int) -> Array:
     """Return the stratified Monte Carlo weights of ``sets``, ``(sets, channels, N*N)``."""
-    directions, solid = fixed.stratified(side, 7919 * side + seed)
-    table = fixed.tabulate(directions, solid, bands)
+    directions, solid = monte_carlo.directions(side, 7919 * side + seed)
+    table = direction_sums.tabulate(directions, solid, bands)
     named = {axis.name: sets[:, i, np.newaxis] for i, axis in enumerate(config.axes)}
     return np.asarray(config.source.radiance(directions, named).swapaxes(1, 2) @ table)
 

@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 from skylight_sh import probe, sphere
 from skylight_sh.config import load
 from skylight_sh.export import npz
-from skylight_sh.light import MissingExtraError, Preetham
+from skylight_sh.light import MissingExtraError
+from skylight_sh.light.preetham import Preetham
 from skylight_sh.probe import files
 from skylight_sh.quadrature import sampling
 from skylight_sh.report import panorama

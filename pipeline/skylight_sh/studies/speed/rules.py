@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from skylight_sh import sphere
 from skylight_sh.config.schema import Config
 from skylight_sh.light import BlackBox
-from skylight_sh.quadrature import adaptive, fixed, rings, sun_centred
+from skylight_sh.quadrature import adaptive, direction_sums, monte_carlo, rings, sun_centred, zenith_gauss
 from skylight_sh.studies.page import Row, Section
 from skylight_sh.studies.timing import medians
 
@@ -41,8 +41,8 @@ def section(config: Config, repeats: int) -> Section:
     calls: dict[str, Callable[[], Array]] = {}
     samples: dict[str, int] = {}
     for name, nodes in _tables(config, where):
-        table = fixed.tabulate(*nodes, _BANDS, mirrored=True)
-        calls[name] = partial(fixed.project_one, config.source, where, nodes[0], table)
+        table = direction_sums.tabulate(*nodes, _BANDS, mirrored=True)
+        calls[name] = partial(direction_sums.project_one, config.source, where, nodes[0], table)
         samples[name] = len(nodes[0])
     for tolerance in (1e-3, 1e-6, 1e-9):
         name = f"adaptive, no hints, to {tolerance:g}"
@@ -69,9 +69,9 @@ def section(config: Config, repeats: int) -> Section:
 def _tables(config: Config, where: dict[str, float]) -> Iterator[tuple[str, tuple[Array, Array]]]:
     """Yield each fixed rule's name and nodes, coarse to fine."""
     for n in (100, 300, 1000):
-        yield f"stratified Monte Carlo, {n} x {n}", fixed.stratified(n, 1)
+        yield f"stratified Monte Carlo, {n} x {n}", monte_carlo.directions(n, 1)
     for n in (16, 64, 128, 300, 512):
-        yield f"zenith Gauss, {n} x {2 * n}", fixed.zenith_gauss(n)
+        yield f"zenith Gauss, {n} x {2 * n}", zenith_gauss.directions(n)
     theta = where[config.source.hints.peak_axis] if config.source.hints.peak_axis else 0.0
     for n in (12, 15, 20, 26, 32, 44, 64, 88):
         yield f"sun-centred, {n}", sun_centred.half_sky(theta, n)

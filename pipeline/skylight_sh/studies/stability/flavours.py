@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from skylight_sh import sphere
 from skylight_sh.fit.axis import Axis
-from skylight_sh.light import Preetham
+from skylight_sh.light.preetham import Preetham
 from skylight_sh.table.prefactor import ClosedForm, Reciprocal
 from skylight_sh.table.surroundings import Surroundings
 from skylight_sh.table.table import Frame, Table, fast, small

@@ -1,7 +1,6 @@
-"""Rules that know nothing of the sun: one set of nodes for every light (Gauss about the zenith, stratified Monte Carlo).
+"""Sums over one list of directions that serves every parameter set, whatever the light: the basis is tabulated once.
 
-Here for comparison, and for lights that neither peak nor jump. Each list of nodes is directions ``(n, 3)`` of the upper
-hemisphere and their solid angles ``(n,)``.
+Each list is directions ``(n, 3)`` of the upper hemisphere, unit vectors, and their solid angles ``(n,)`` in sr.
 """
 
 from __future__ import annotations
@@ -21,34 +20,8 @@ Array = NDArray[np.float64]
 _BLOCK = 8_000_000
 
 
-def zenith_gauss(n: int) -> tuple[Array, Array]:
-    """Return Gauss-Legendre in the zenith's cosine (n nodes) times 2n uniform azimuths."""
-    x, w = np.polynomial.legendre.leggauss(n)
-    z = np.repeat((x + 1) / 2, 2 * n)
-    phi = np.tile((np.arange(2 * n) + 0.5) * np.pi / n, n)
-    return _directions(z, phi), np.repeat(w / 2, 2 * n) * np.pi / n
-
-
-def stratified(n: int, seed: int) -> tuple[Array, Array]:
-    """Return one random direction in each of n x n equal-area cells (Green 2003), seeded."""
-    jitter = np.random.default_rng(seed).random((2, n, n))
-    cell = np.arange(n)
-    z = ((cell[:, np.newaxis] + jitter[0]) / n).ravel()
-    phi = ((cell + jitter[1]) * 2 * np.pi / n).ravel()
-    return _directions(z, phi), np.full(n * n, 2 * np.pi / (n * n))
-
-
-def project_zenith(light: Light, parameters: Parameters, *, nodes: int, bands: int, mirrored: bool) -> Samples:
-    """Integrate by ``zenith_gauss(nodes)``; shapes as ``sun_centred.project``."""
-    return _project(light, parameters, zenith_gauss(nodes), bands, mirrored=mirrored)
-
-
-def project_stratified(light: Light, parameters: Parameters, *, nodes: int, bands: int, mirrored: bool) -> Samples:
-    """Integrate by ``stratified(nodes, nodes)``: another number of cells draws anew, so that two runs are independent."""
-    return _project(light, parameters, stratified(nodes, nodes), bands, mirrored=mirrored)
-
-
-def _project(light: Light, parameters: Parameters, nodes: tuple[Array, Array], bands: int, *, mirrored: bool) -> Samples:
+def project(light: Light, parameters: Parameters, nodes: tuple[Array, Array], bands: int, *, mirrored: bool) -> Samples:
+    """Return the samples of the sets ``parameters``, of any shape, from ``nodes``: directions and their solid angles."""
     sets = np.broadcast_shapes(*(values.shape for values in parameters.values()))
     count = sphere.count(bands, mirrored=mirrored)
     named = {name: np.broadcast_to(values, sets).reshape(-1, 1) for name, values in parameters.items()}
@@ -80,6 +53,7 @@ def tabulate(directions: Array, solid_angles: Array, bands: int, *, mirrored: bo
     return sphere.basis(directions, bands, mirrored=mirrored) * solid_angles[:, np.newaxis]
 
 
-def _directions(z: Array, phi: Array) -> Array:
+def towards(z: Array, phi: Array) -> Array:
+    """Return unit vectors ``(n, 3)`` of height ``z`` and azimuth ``phi`` in radians, both ``(n,)``."""
     flat = np.sqrt((1 - z) * (1 + z))
     return np.stack([flat * np.cos(phi), flat * np.sin(phi), z], axis=-1)

@@ -1,0 +1,65 @@
+"""Types of a config's keys whose values are names in a registry: what is allowed, and what each name means."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import reduce
+from operator import or_
+from typing import Annotated, Any
+
+from pydantic import Field, GetCoreSchemaHandler, GetJsonSchemaHandler
+from pydantic_core import CoreSchema, core_schema
+
+from skylight_sh.registry import Registry
+
+
+@dataclass(frozen=True)
+class OneOf:
+    """In ``Annotated[str, OneOf(names, "what it is")]``: a name of ``names``, or one of ``others`` (name to meaning).
+
+    What a registry's names mean is told by the registry, and read where a schema is asked for.
+    """
+
+    names: Mapping[str, object]
+    about: str
+    others: tuple[tuple[str, str], ...] = ()
+
+    def __get_pydantic_core_schema__(self, _: object, __: GetCoreSchemaHandler) -> CoreSchema:
+        return core_schema.literal_schema([*(name for name, _ in self.others), *self.names])
+
+    def __get_pydantic_json_schema__(self, schema: CoreSchema, handler: GetJsonSchemaHandler) -> dict[str, Any]:
+        return {**handler(schema), "description": f"{self.about}, one of {described(self.names, self.others)}"}
+
+
+@dataclass(frozen=True)
+class AnyOf:
+    """In ``Annotated[T, AnyOf(types, "model", "what it is")]``: one of the ``types``, told apart by their key ``tag``."""
+
+    types: Registry[Any]
+    tag: str
+    about: str
+
+    def __get_pydantic_core_schema__(self, _: object, handler: GetCoreSchemaHandler) -> CoreSchema:
+        union: Any = reduce(or_, self.types.values())
+        return handler.generate_schema(Annotated[union, Field(discriminator=self.tag)])
+
+    def __get_pydantic_json_schema__(self, schema: CoreSchema, handler: GetJsonSchemaHandler) -> dict[str, Any]:
+        return {
+            **handler(schema),
+            "description": f"{self.about}, by its {self.tag} and that one's options: {described(self.types)}",
+        }
+
+
+def described(names: Mapping[str, object], others: tuple[tuple[str, str], ...] = ()) -> str:
+    """Return ``name: meaning; name: meaning``; a name alone where nothing tells what it means."""
+    told = [*others, *((name, _meaning(names, name)) for name in names)]
+    return "; ".join(f"{name}: {meaning}" if meaning else name for name, meaning in told)
+
+
+def _meaning(names: Mapping[str, object], name: str) -> str:
+    if isinstance(names, Registry):
+        return names.about(name)
+    entry = names[name]
+    text = getattr(entry, "about", (entry.__doc__ or "") if callable(entry) else "")
+    return str(text).partition("\n")[0].removesuffix(".")
