@@ -10,7 +10,7 @@ import click
 import numpy as np
 import pytest
 from click.testing import CliRunner
-from conftest import SMALL
+from conftest import ROOT, SMALL
 from skylight_sh import runtime
 from skylight_sh.cli import main
 from skylight_sh.run.runner import Result
@@ -128,3 +128,41 @@ def test_a_store_that_is_a_file_is_refused(tmp_path: Path) -> None:
     code, _, err = invoke("run", str(SMALL), "--store", str(tmp_path / "file"))
     assert code == 2
     assert "is a file" in err
+
+
+def test_configs_lists_every_shipped_config_with_a_line() -> None:
+    code, out, _ = invoke("configs")
+    assert code == 0
+    lines = dict(line.split(maxsplit=1) for line in out.splitlines())
+    assert list(lines) == sorted(path.stem for path in (ROOT / "configs").glob("*.toml"))
+    assert all(line.endswith(".") for line in lines.values())
+
+
+def test_a_config_is_a_path_or_a_shipped_name(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "paper").mkdir()
+    assert invoke("config", "check", "paper") == (0, "paper holds: run 'paper'.\n", "")
+    # A file comes first.
+    (tmp_path / "preetham").write_bytes(SMALL.read_bytes())
+    assert invoke("config", "check", "preetham")[1] == "preetham holds: run 'small'.\n"
+    code, _, err = invoke("run", "valley.toml")
+    assert code == 2
+    assert "'valley.toml' is neither a file nor the name of a shipped config. Did you mean 'valley'?" in err
+
+
+def test_init_starts_a_config_and_overwrites_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert invoke("init", "My Sky.toml")[0] == 0
+    assert invoke("config", "check", "My Sky.toml")[1] == "My Sky.toml holds: run 'my-sky'.\n"
+    before = (tmp_path / "My Sky.toml").read_bytes()
+    code, _, err = invoke("init", "My Sky.toml")
+    assert code == 2
+    assert "exists" in err
+    assert (tmp_path / "My Sky.toml").read_bytes() == before
+    assert invoke("init", "preetham")[0] == 2
+
+
+def test_a_command_that_is_none_gets_the_nearest_one_told() -> None:
+    code, _, err = invoke("evalute")
+    assert code == 2
+    assert "Did you mean 'evaluate'?" in err

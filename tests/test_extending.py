@@ -6,7 +6,7 @@ import shutil
 from pathlib import Path
 
 import pytest
-from conftest import SMALL
+from conftest import ROOT, SMALL
 from skylight_sh.config import ConfigError, load
 from skylight_sh.run.provenance import settings
 from test_cli import invoke
@@ -118,3 +118,19 @@ def test_a_broken_base_is_named(folder: Path) -> None:
     code, _, err = invoke("config", "check", str(extend(folder, 'extends = "broken.toml"\nname = "own"\n')))
     assert code == 2
     assert "broken.toml is not valid TOML" in err
+
+
+def test_a_shipped_config_is_extended_by_its_name_from_any_folder(tmp_path: Path) -> None:
+    own = load(extend(tmp_path, 'extends = "preetham"\nname = "own"\n'))
+    assert (own.name, own.extends) == ("own", "preetham")
+    assert own.truth == load(ROOT / "configs" / "preetham.toml").truth
+    # A file beside it of that name comes first.
+    (tmp_path / "preetham").write_text(SMALL.read_text(encoding="utf-8"), encoding="utf-8")
+    assert load(tmp_path / "own.toml").truth == load(SMALL).truth
+
+
+def test_pictures_of_a_shipped_config_are_found_from_any_folder(tmp_path: Path) -> None:
+    valley = load(extend(tmp_path, 'extends = "valley"\nname = "own"\n'))
+    assert valley.file("clouds.png") == ROOT / "configs" / "clouds.png"
+    (tmp_path / "clouds.png").write_bytes(b"")
+    assert valley.file("clouds.png") == tmp_path / "clouds.png"

@@ -1,4 +1,4 @@
-"""Configs that extend another: ``extends = "other.toml"``, and then only what differs."""
+"""Configs that extend another: ``extends = "other.toml"``, or a shipped config by its name, and then only what differs."""
 
 from __future__ import annotations
 
@@ -6,12 +6,14 @@ import tomllib
 from pathlib import Path
 from typing import Any
 
+from skylight_sh import shipped
+
 Raw = dict[str, Any]
 _DEEPEST = 8
 
 
 def read(path: Path, depth: int = 0) -> Raw:
-    """Return the parsed TOML at ``path`` laid over what it extends, a file beside it.
+    """Return the parsed TOML at ``path`` laid over what it extends: a file beside it, or a shipped config.
 
     Tables are merged key by key, unless they are of another ``model`` or ``kind``; arrays of tables by their ``name``;
     anything else replaces what it extends, as an empty array does. A parameter that is fixed is no axis any more. Raises
@@ -28,10 +30,12 @@ def read(path: Path, depth: int = 0) -> Raw:
         raise ValueError(f"{path}: extends = {base!r} is the {_DEEPEST + 1}th in a row, or one in a circle. Extend fewer.")
     place = path.parent / base
     if Path(base).name != base or "\0" in base or place.resolve().parent != path.parent.resolve():
-        raise ValueError(f"{path}: extends = {base!r} leaves the config's folder. Name a config beside it.")
+        raise ValueError(
+            f"{path}: extends = {base!r} leaves the config's folder. Name a config beside it, or a shipped one."
+        )
     if "name" not in raw:
         raise ValueError(f"{path}: name is missing. A config that extends another needs its own: reports go under it.")
-    below = read(place, depth + 1)
+    below = read(place if place.is_file() else shipped.path(base) or place, depth + 1)
     fixed = raw.get("scene", {}).get("fixed", {}) if isinstance(raw.get("scene", {}), dict) else {}
     if isinstance(fixed, dict) and _named(below.get("axes")):
         below["axes"] = [axis for axis in below["axes"] if axis["name"] not in fixed]

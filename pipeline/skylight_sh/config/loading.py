@@ -31,9 +31,7 @@ def load(path: str | Path, run: Mapping[str, Any] | None = None) -> Config:
     except (OSError, UnicodeDecodeError) as error:
         reason = error.strerror if isinstance(error, OSError) else "it is not UTF-8 text"
         which = error.filename if isinstance(error, OSError) and error.filename else path
-        raise ConfigError(
-            f"{which} cannot be read ({reason}). Give the path of a TOML file, such as configs/preetham.toml."
-        ) from error
+        raise ConfigError(f"{which} cannot be read ({reason}). Give the path of a TOML file.") from error
     except ValueError as error:
         raise ConfigError(str(error)) from error
     if run and isinstance(raw.get("run", {}), dict):

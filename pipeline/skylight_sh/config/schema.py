@@ -8,6 +8,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field, PrivateAttr
 
+from skylight_sh import shipped
 from skylight_sh.config.choices import AnyOf, OneOf
 from skylight_sh.config.section import Section
 from skylight_sh.config.surroundings_schema import CloudsSection, LightSection, OccluderSection
@@ -218,8 +219,8 @@ class Config(Section):
     name: Name = Field(description="name of the run and of its folder under reports/: lower-case letters, digits, - and _")
     extends: str = Field(
         "",
-        description="a config beside this one, of which this one then says only what differs: tables are merged, axes and "
-        "references by name",
+        description="a config beside this one, or the name of a shipped one such as preetham, of which this one then says "
+        "only what differs: tables are merged, axes and references by name",
     )
     light: Annotated[OptionsOfLight, AnyOf(LIGHTS, "model", "the light")]
     axes: tuple[AxisSection, ...] = Field(description="the light's parameters, one [[axes]] table each")
@@ -242,6 +243,11 @@ class Config(Section):
         placed = self.model_copy()
         placed._folder = folder
         return placed
+
+    def file(self, name: str) -> Path:
+        """Return where the file ``name`` of this config is: in its folder, or else with the shipped configs."""
+        own, other = self._folder / name, shipped.folder() / name
+        return own if own.is_file() or not other.is_file() else other
 
     @cached_property
     def source(self) -> Light:

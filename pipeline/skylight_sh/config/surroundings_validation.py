@@ -97,11 +97,11 @@ def _spheres_and_lamps(config: Config) -> Iterator[Problem]:
 
 
 def _picture(config: Config, path: str, section: CloudsSection | ProbeLight, needed: int) -> Iterator[Problem]:
-    place = config.folder / section.image
     try:
-        if "\0" in section.image or not place.resolve().is_relative_to(config.folder.resolve()):
+        if "\0" in section.image or not (config.folder / section.image).resolve().is_relative_to(config.folder.resolve()):
             yield Problem(path, section.image, "Leaves the config's folder. Put the picture beside the config, or below.")
             return
+        place = config.file(section.image)
         pixels = files.read_mask(place) if isinstance(section, CloudsSection) else files.read(place).pixels
         most = most_bands(patches(section.layout, *pixels.shape[:2]))
         if isinstance(section, ProbeLight):

@@ -35,7 +35,7 @@ def steps(config: Config) -> list[Step]:
     pictures += [scene.clouds.image] if scene.clouds else []
     parameters = {
         "scene": scene.model_dump(mode="json"),
-        "pictures": [hashlib.sha256((config.folder / image).read_bytes()).hexdigest() for image in pictures],
+        "pictures": [hashlib.sha256(config.file(image).read_bytes()).hexdigest() for image in pictures],
         "reader": version("OpenImageIO") if pictures else "",
         "bands": _bands(config),
         "channels": config.source.channels,
@@ -84,7 +84,7 @@ def _lights(config: Config, bands: int) -> Array:
 def _light(config: Config, light: LightSection, bands: int) -> Array:
     if not isinstance(light, ProbeLight):
         return weights(light, bands)
-    pixels = files.read(config.folder / light.image).pixels
+    pixels = files.read(config.file(light.image)).pixels
     captured = probe.blur(probe.project(pixels, light.layout, bands), light.blur)
     # A grey picture is given to all channels.
     return np.broadcast_to(light.brightness * captured, (len(config.source.channels), bands * bands))
@@ -101,5 +101,5 @@ def _clouds(config: Config, bands: int) -> tuple[Array, tuple[float, ...]] | Non
     clouds = config.scene.clouds
     if clouds is None:
         return None
-    pixels = files.read_mask(config.folder / clouds.image)
+    pixels = files.read_mask(config.file(clouds.image))
     return clouds.opacity * probe.project(pixels, clouds.layout, bands)[0], clouds.colour

@@ -132,7 +132,7 @@ def _clouds(config: Config, polar: Array, around: Array) -> tuple[Array, Array]:
         return np.zeros_like(polar), np.zeros(len(config.source.channels))
     if clouds.layout != "equirect":
         raise ValueError(f"Invalid layout {clouds.layout!r} of the clouds' picture. Should be 'equirect' here.")
-    picture = files.read_mask(config.folder / clouds.image)[..., 0]
+    picture = files.read_mask(config.file(clouds.image))[..., 0]
     height, width = picture.shape
     # Azimuth pi stands on the left edge, and falls to the right.
     column = np.floor((np.pi - around) / (2 * np.pi) * width).astype(int) % width
