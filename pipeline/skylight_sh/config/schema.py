@@ -17,6 +17,7 @@ from skylight_sh.fit.least_squares import SOLVERS
 from skylight_sh.fit.maps import MAPS
 from skylight_sh.light import LIGHTS, BlackBox, Fixed, Light, Luminance, OptionsOfLight
 from skylight_sh.quadrature.registry import RULES
+from skylight_sh.report.figures import PICTURES
 
 Name = Annotated[str, Field(pattern=r"^[a-z0-9][a-z0-9_-]{0,39}$")]
 Degree = Annotated[int, Field(ge=0, le=40)]
@@ -24,9 +25,7 @@ Fraction = Annotated[float, Field(gt=0.0, le=1.0)]
 Bands = Annotated[int, Field(ge=1, le=32)]
 DType = Literal["float32", "float64"]
 BasisName = Annotated[str, OneOf(BASES, "basis")]
-Picture = Literal[
-    "bands", "origins", "maps", "panoramas", "surroundings", "daylight", "ringing", "gibbs", "encoding", "bytes", "degrees"
-]
+PictureName = Annotated[str, OneOf(PICTURES, "picture")]
 SolverName = Annotated[str, OneOf(SOLVERS, "solver")]
 Target = Literal["c", "npz", "glsl", "hlsl", "wgsl", "vectors"]
 
@@ -139,7 +138,7 @@ class CaseSection(Section):
 class ReportSection(Section):
     """Which pictures to draw."""
 
-    figures: tuple[Picture, ...] = Field(
+    figures: tuple[PictureName, ...] = Field(
         ("bands", "maps", "panoramas", "ringing", "bytes", "degrees"),
         description="pictures of the report; origins (of the 2008 paper's error) costs a second of sampling, gibbs a few",
     )

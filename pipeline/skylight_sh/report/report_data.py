@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -13,7 +14,7 @@ from skylight_sh import sphere
 from skylight_sh.fit.axis import Axis
 from skylight_sh.fit.errors import published
 from skylight_sh.light.protocol import Light
-from skylight_sh.report.ringing import Study
+from skylight_sh.report import ringing
 from skylight_sh.table.surroundings import Surroundings
 from skylight_sh.table.table import Table
 
@@ -70,8 +71,7 @@ class Material:
 
     ``sample`` gives a set's true weights ``(channels, count)``; ``fronts`` the Pareto front of bytes and E_mean,
     ``(points, 2)``, for each number of bands and layout; ``origins`` what the stage of that name found, if it ran;
-    ``held_out`` counts the sets that errors were measured on; ``surroundings`` are by the number of bands; ``ringing`` the
-    study behind the picture ``gibbs``, if it is wanted.
+    ``held_out`` counts the sets that errors were measured on; ``surroundings`` are by the number of bands.
     """
 
     name: str
@@ -96,7 +96,6 @@ class Material:
     settings: Mapping[str, Any]
     rule: Mapping[str, Any]
     surroundings: Mapping[int, Surroundings]
-    ringing: Study | None = None
 
     @property
     def best(self) -> Entry:
@@ -107,6 +106,11 @@ class Material:
     def middle(self) -> Array:
         """The middle of all ranges, a parameter set ``(axes,)``."""
         return np.array([(axis.low + axis.high) / 2 for axis in self.axes])
+
+    @cached_property
+    def ringing(self) -> ringing.Study | None:
+        """How the light's expansions ring over its whole domain; measured once, when it is asked for."""
+        return ringing.study(self.light, self.axes, self.best.table, self.bands, self.full)
 
     def full(self, values: Array) -> Array:
         """Return a set's true weights ``(channels, N*N)``, all orders among them."""

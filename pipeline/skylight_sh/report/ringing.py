@@ -8,17 +8,16 @@ from __future__ import annotations
 import itertools
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
 import numpy as np
-import pandas as pd
 from numpy.typing import NDArray
 
 from skylight_sh import sphere
+from skylight_sh.fit.axis import Axis
+from skylight_sh.light.protocol import Light
 from skylight_sh.report import panorama
-
-if TYPE_CHECKING:
-    from skylight_sh.report.report_data import Material
+from skylight_sh.table.table import Table
 
 Array = NDArray[np.float64]
 
@@ -91,21 +90,21 @@ class Study:
     found: Ringing
 
 
-def study(material: Material) -> Study | None:
-    """Measure 3 to 10 bands at evenly spaced sets of parameters, edges among them.
+def study(light: Light, axes: Sequence[Axis], table: Table, most: int, weights_of: Callable[[Array], Array]) -> Study | None:
+    """Measure 3 to 10 bands, ``most`` at most, at evenly spaced sets of parameters, edges of the ``axes`` among them.
 
-    None for fewer bands, and where weights are windowed, lit from below, hold a sun or are no radiance.
+    ``weights_of`` gives a set's ``(axes,)`` true SH weights, ``(channels, most * most)``. None for fewer bands, and where
+    weights are windowed, lit from below, hold a sun or are no radiance.
     """
-    table = material.best.table
-    bands = tuple(range(3, min(material.bands, 10) + 1))
+    bands = tuple(range(3, min(most, 10) + 1))
     if table.windowed or table.quantity != "radiance" or table.ground != "black" or table.sun_disc or not bands:
         return None
-    row = material.light.luminance_row
-    each = round(_SETS ** (1 / len(material.axes)))
-    sets = np.array(list(itertools.product(*(np.linspace(axis.low, axis.high, each) for axis in material.axes))))
-    weights = np.stack([row @ material.full(values) for values in sets])
-    names = tuple(axis.name for axis in material.axes)
-    skies = np.stack([panorama.sky(material.light, values, names) @ row for values in sets])
+    row = light.luminance_row
+    each = round(_SETS ** (1 / len(axes)))
+    sets = np.array(list(itertools.product(*(np.linspace(axis.low, axis.high, each) for axis in axes))))
+    weights = np.stack([row @ weights_of(values) for values in sets])
+    names = tuple(axis.name for axis in axes)
+    skies = np.stack([panorama.sky(light, values, names) @ row for values in sets])
     return Study(sets, weights, skies.max(axis=(1, 2)), measure(weights, skies, bands))
 
 
@@ -114,6 +113,9 @@ def csv(study: Study, names: Sequence[str]) -> bytes:
 
     Undershoot and overshoot are shares of the brightest value of the same set's sky, as the columns' names say.
     """
+    # It takes longer to import than a cached run takes.
+    import pandas as pd
+
     found = study.found
     index = pd.MultiIndex.from_product((GROUNDS, found.windows, found.bands), names=("ground", "window", "bands"))
     columns = {

@@ -6,6 +6,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from skylight_sh.report import style
+from skylight_sh.report.figures.picture import Picture
 from skylight_sh.report.report_data import Material
 
 CAPTION = (
@@ -51,3 +52,6 @@ def draw(material: Material) -> Figure:
     left.set_ylabel("error relative to L_min")
     figure.legend(*left.get_legend_handles_labels(), loc="outside lower center", ncols=4, fontsize=8)
     return figure
+
+
+PICTURE = Picture("Largest errors against bands", CAPTION, draw)

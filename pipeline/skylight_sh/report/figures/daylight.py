@@ -7,6 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from skylight_sh.report import style
+from skylight_sh.report.figures.picture import Picture
 from skylight_sh.report.report_data import Material
 from skylight_sh.scene import clear_day
 from skylight_sh.table import twilight
@@ -69,3 +70,6 @@ def _fade(panel: Axes, sunset: dict[float, float]) -> None:
     panel.set_xlabel("sun's depth (degrees)")
     panel.set_ylabel("illuminance (lx)")
     panel.legend(fontsize=8)
+
+
+PICTURE = Picture("A clear day in lux", CAPTION, draw)

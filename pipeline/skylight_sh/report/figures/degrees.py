@@ -7,6 +7,7 @@ from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
 
 from skylight_sh.report import style
+from skylight_sh.report.figures.picture import Picture
 from skylight_sh.report.report_data import Material
 
 CAPTION = (
@@ -54,3 +55,6 @@ def draw(material: Material) -> Figure | None:
 
 def _short(value: float) -> str:
     return f"{value:.0f}" if value >= 10 else f"{value:.2g}"
+
+
+PICTURE = Picture("Error of every combination of degrees", CAPTION, draw)

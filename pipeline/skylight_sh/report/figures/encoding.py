@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from skylight_sh import probe
 from skylight_sh.probe.files import from_srgb, to_srgb
 from skylight_sh.report import panorama, style
+from skylight_sh.report.figures.picture import Picture
 from skylight_sh.report.report_data import Material
 
 Array = NDArray[np.float64]
@@ -79,3 +80,6 @@ def _pictures(material: Material) -> dict[str, tuple[Array, float]]:
         "8 bits, taken as linear": (stored, 0.0),
         f"floats, Gaussian of {_BLUR:g}°": (np.maximum(floats, 0.0), float(np.radians(_BLUR))),
     }
+
+
+PICTURE = Picture("Ringing of captured light", CAPTION, draw)

@@ -7,7 +7,8 @@ from matplotlib.colors import SymLogNorm
 from matplotlib.figure import Figure, SubFigure
 from numpy.typing import NDArray
 
-from skylight_sh.report import panorama, style
+from skylight_sh.report import panorama, ringing, style
+from skylight_sh.report.figures.picture import Picture
 from skylight_sh.report.report_data import Material
 from skylight_sh.report.ringing import GROUNDS, LEAST, Ringing, Study, tried
 
@@ -95,3 +96,12 @@ def _panoramas(figure: SubFigure, study: Study, material: Material, bands: int) 
         ticks=_TICKS,
         format=style.percent_ticks(),
     )
+
+
+def files(material: Material) -> dict[str, bytes]:
+    """Return the numbers behind the picture."""
+    study = material.ringing
+    return {"ringing.csv": ringing.csv(study, [axis.name for axis in material.axes])} if study else {}
+
+
+PICTURE = Picture("Ringing: every window, every ground", CAPTION, draw, files)

@@ -9,6 +9,7 @@ from matplotlib.figure import Figure
 
 from skylight_sh.fit.axis import Axis
 from skylight_sh.report import style
+from skylight_sh.report.figures.picture import Picture
 from skylight_sh.report.report_data import Entry, Material
 
 CAPTION = (
@@ -81,3 +82,6 @@ def _shown(axis: Axis, values: np.ndarray) -> np.ndarray:
 def _label(axis: Axis) -> str:
     unit = {"rad": " (degrees)", "1": ""}.get(axis.unit, f" ({axis.unit})")
     return axis.name.replace("_", " ") + unit
+
+
+PICTURE = Picture("Where the error is", CAPTION, draw)

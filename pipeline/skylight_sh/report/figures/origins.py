@@ -6,6 +6,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from skylight_sh.report import style
+from skylight_sh.report.figures.picture import Picture
 from skylight_sh.report.report_data import Material
 
 CAPTION = (
@@ -56,3 +57,6 @@ def draw(material: Material) -> Figure | None:
         panel.grid(True, which="major", alpha=0.3)
         panel.legend(fontsize=8)
     return figure
+
+
+PICTURE = Picture("The 2008 result explained", CAPTION, draw)

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from skylight_sh import sphere
 from skylight_sh.report import panorama, style
+from skylight_sh.report.figures.picture import Picture
 from skylight_sh.report.report_data import Entry, Material
 from skylight_sh.table.table import full_weights
 
@@ -85,3 +86,6 @@ def _scale(material: Material, values: np.ndarray) -> float:
     index = tuple(int(np.abs(nodes - value).argmin()) for nodes, value in zip(material.grid, values, strict=True))
     least = float(material.least[index])
     return least if least > 0.0 else 1.0
+
+
+PICTURE = Picture("The worst cases as skies", CAPTION, draw)

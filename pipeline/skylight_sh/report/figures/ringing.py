@@ -7,6 +7,7 @@ from matplotlib.figure import Figure
 
 from skylight_sh import sphere
 from skylight_sh.report import panorama, style
+from skylight_sh.report.figures.picture import Picture
 from skylight_sh.report.report_data import Material
 from skylight_sh.table.table import full_weights
 
@@ -55,3 +56,6 @@ def draw(material: Material) -> Figure | None:
     right.legend(fontsize=8)
     figure.suptitle(f"{material.best.name}, {material.describe(values)}", fontsize=10)
     return figure
+
+
+PICTURE = Picture("Ringing, before and after the window", CAPTION, draw)

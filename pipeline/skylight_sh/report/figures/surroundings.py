@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from skylight_sh import sphere
 from skylight_sh.report import panorama, style
+from skylight_sh.report.figures.picture import Picture
 from skylight_sh.report.report_data import Material
 from skylight_sh.table.surroundings import Surroundings
 from skylight_sh.table.table import full_weights
@@ -91,3 +92,6 @@ def _truncation(material: Material, values: Array, azimuths: Sequence[float]) ->
 
 def _picture(weights: NDArray[np.floating]) -> Array:
     return panorama.expansion(sphere.scale_degrees(weights, sphere.sinc_window(sphere.bands_of(weights))))
+
+
+PICTURE = Picture("The scene's surroundings", CAPTION, draw)

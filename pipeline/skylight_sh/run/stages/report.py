@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -12,6 +11,7 @@ from numpy.typing import NDArray
 from skylight_sh.config.schema import Config
 from skylight_sh.config.wanted import table_names
 from skylight_sh.quadrature import sampling
+from skylight_sh.report.figures import PICTURES
 from skylight_sh.report.report_data import Entry, Material, Sweep
 from skylight_sh.run.executors import Advance
 from skylight_sh.run.files import to_dataset
@@ -39,21 +39,18 @@ def steps(config: Config) -> list[Step]:
 
 def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
     # Drawing libraries take longer to import than a cached run takes.
-    from skylight_sh.report import errors_csv, page, ringing, style
-    from skylight_sh.report.figures import PICTURES
+    from skylight_sh.report import errors_csv, page, style
 
     material = _material(config, inputs)
     wanted = [name for name in PICTURES if name in config.report.figures]
     files = {"errors.csv": errors_csv.csv(material)}
     files |= {"references.csv": errors_csv.references_csv(material)} if material.references else {}
-    if "gibbs" in wanted:
-        material = replace(material, ringing=ringing.study(material))
-        names = [axis.name for axis in material.axes]
-        files |= {"ringing.csv": ringing.csv(material.ringing, names)} if material.ringing else {}
     shown = []
     for done, name in enumerate(wanted):
         advance(done, len(wanted))
-        figure = PICTURES[name].draw(material)
+        picture = PICTURES[name]
+        figure = picture.draw(material)
+        files |= picture.files(material)
         if figure is not None:
             files[f"figures/{name}.png"] = style.png(figure)
             shown.append(name)

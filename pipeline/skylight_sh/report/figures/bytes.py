@@ -7,6 +7,7 @@ from matplotlib.figure import Figure
 
 from skylight_sh import sphere
 from skylight_sh.report import style
+from skylight_sh.report.figures.picture import Picture
 from skylight_sh.report.report_data import Material
 
 CAPTION = (
@@ -70,3 +71,6 @@ def draw(material: Material) -> Figure:
     axes.grid(True, which="major", alpha=0.3)
     figure.legend(*axes.get_legend_handles_labels(), loc="outside right upper", fontsize=8)
     return figure
+
+
+PICTURE = Picture("Error against bytes", CAPTION, draw)

@@ -1,0 +1,25 @@
+"""What a picture of the report is."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from skylight_sh.report.report_data import Material
+
+
+@dataclass(frozen=True)
+class Picture:
+    """A picture's title, what it shows, and how it is drawn (None where there is nothing to show).
+
+    ``files`` returns further files of the report by name: the numbers that the picture shows, say.
+    """
+
+    title: str
+    caption: str
+    draw: Callable[[Material], Figure | None]
+    files: Callable[[Material], Mapping[str, bytes]] = lambda _: {}
