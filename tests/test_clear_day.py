@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -14,9 +15,10 @@ from skylight_sh.config import ConfigError
 from skylight_sh.light import sun_disc
 from skylight_sh.light.preetham import Preetham
 from skylight_sh.quadrature import sampling
-from skylight_sh.scene.fold import folded
+from skylight_sh.scene.fold import Scene, Sun, fold
 
 Array = NDArray[np.float64]
+SUNLIT = Scene(("sun_zenith", "turbidity"), sun=Sun("sun_zenith", "turbidity"))
 
 
 def brute_force(theta: float, tau: float) -> Array:
@@ -48,12 +50,12 @@ def brute_force(theta: float, tau: float) -> Array:
 )
 def test_the_ground_reflects_what_sky_and_sun_send_down(theta: float, tau: float) -> None:
     """Albedo / pi times the irradiance by brute force, to a millionth."""
-    albedo = [0.1, 0.2, 0.3]
+    albedo = (0.1, 0.2, 0.3)
     sets = np.array([[[theta, tau]]])
     job = sampling.Job(Preetham(), ("sun_zenith", "turbidity"), sets, 160, 4, mirrored=True, rule="sun-centred")
     sky, degrees = sampling.project_block(job).weights[0], sphere.degrees_orders(4, mirrored=True)[0]
-    lit = folded(scene_config(f"sun_disc = true\nground = {albedo}"), sky, degrees, sets[0])[0]
-    unlit = folded(scene_config("sun_disc = true"), sky, degrees, sets[0])[0]
+    lit = fold(replace(SUNLIT, ground=albedo), sky, degrees, sets[0])[0]
+    unlit = fold(SUNLIT, sky, degrees, sets[0])[0]
     radiance = (lit - unlit)[:, 0] / sphere.lower_hemisphere(1)[0]
     assert radiance == pytest.approx(np.array(albedo) / math.pi * brute_force(theta, tau), rel=1e-6)
 
@@ -78,10 +80,10 @@ def test_a_table_holds_sky_and_sun(tmp_path: Path) -> None:
 
 def test_one_channel_is_the_luminance_of_three() -> None:
     degrees, sets = sphere.degrees_orders(4, mirrored=True)[0], np.array([[0.5, 3.0], [1.57, 5.0]])
-    ground = "ground = [0.3]\n", "ground = [0.3, 0.3, 0.3]\n"
     none = np.zeros((2, 3, degrees.size))
-    one = folded(scene_config(f'{ground[0]}sun_disc = true\nchannels = "luminance"'), none[:, :1], degrees, sets)
-    three = folded(scene_config(f"{ground[1]}sun_disc = true"), none, degrees, sets)
+    luminance = replace(SUNLIT.sun, luminance_row=Preetham().luminance_row) if SUNLIT.sun else None
+    one = fold(replace(SUNLIT, sun=luminance, ground=(0.3,)), none[:, :1], degrees, sets)
+    three = fold(replace(SUNLIT, ground=(0.3, 0.3, 0.3)), none, degrees, sets)
     assert one[:, 0] == pytest.approx(np.einsum("ncw,c->nw", three, Preetham().luminance_row), rel=1e-12, abs=1e-6)
 
 

@@ -16,8 +16,8 @@ from skylight_sh.config import Config, load
 from skylight_sh.run import code, plan
 from skylight_sh.run.executors import map_tasks
 from skylight_sh.run.runner import Result, run, steps
-from skylight_sh.run.stages.select import BudgetError
 from skylight_sh.store.store import Store
+from skylight_sh.table.selection import BudgetError
 
 
 def published(folder: Path) -> dict[str, bytes]:

@@ -16,8 +16,8 @@ from conftest import ROOT
 from numpy.typing import NDArray
 from skylight_sh.config import Config, parse
 from skylight_sh.report.figures import origins as picture
+from skylight_sh.run.config_axes import axes_of, fit_nodes
 from skylight_sh.run.stages import origins
-from skylight_sh.scene.axes import axes_of, fit_nodes
 from skylight_sh.store.dataset import Dataset, Variable
 from threadpoolctl import threadpool_limits
 

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
 from conftest import scene_config
 from numpy.typing import NDArray
 from skylight_sh.light import sun_disc
-from skylight_sh.run.stages.fit import reference_of
-from skylight_sh.scene.fold import folded, luminance_scale, window
+from skylight_sh.run import from_config
+from skylight_sh.scene import fold as folding
+from skylight_sh.scene.fold import Scene, Sun, luminance_scale, window
 from skylight_sh.store.dataset import Dataset, Variable
 from skylight_sh.table.surroundings import build
 
@@ -58,16 +60,21 @@ def project(values: Array, where: Array, solid: Array) -> Array:
     return (values * solid[:, np.newaxis]).T @ basis(where, BANDS)
 
 
-def fold(text: str, weights: Array, sets: Array) -> Array:
+SUN = Sun("sun_zenith", "turbidity")
+SCENE = Scene(("sun_zenith", "turbidity"))
+ALBEDO = (0.1, 0.25, 0.6)
+
+
+def fold(scene: Scene, weights: Array, sets: Array) -> Array:
     kept = M >= 0
-    return folded(scene_config(text), weights[..., kept], L[kept], sets)
+    return folding.fold(scene, weights[..., kept], L[kept], sets)
 
 
 @pytest.mark.parametrize(("theta", "tau"), SETS)
 @pytest.mark.parametrize("shines", [False, True])
 def test_ground_and_sun(theta: float, tau: float, shines: bool) -> None:
     """Albedo / pi times the irradiance of the horizontal, from below evenly; the sun whole, whatever the horizon cuts."""
-    albedo, values = np.array([0.1, 0.25, 0.6]), sky(theta, tau)
+    albedo, values = np.array(ALBEDO), sky(theta, tau)
     black = project(values, ABOVE, SOLID)
     fallen, whole = (values * (SOLID * ABOVE[:, 2])[:, np.newaxis]).sum(axis=0), black.copy()
     if shines:
@@ -76,14 +83,14 @@ def test_ground_and_sun(theta: float, tau: float, shines: bool) -> None:
         whole += np.multiply.outer(colour, solid @ basis(where, BANDS))
         fallen = fallen + colour * float(np.maximum(where[:, 2], 0) @ solid)
     ground = project(np.broadcast_to(albedo * fallen / math.pi, (len(BELOW), 3)), BELOW, SOLID)
-    sets, extra = np.array([theta, tau]), f"\nsun_disc = {str(shines).lower()}"
-    for text, expected in (
-        ("" + extra, whole),
-        ("ground = [0.1, 0.25, 0.6]" + extra, whole + ground),
-        ('ground = "mirror"' + extra, whole * (1 + (-1.0) ** (L + M))),
-        ('quantity = "irradiance"' + extra, whole * lobe(BANDS)[L]),
+    scene = replace(SCENE, sun=SUN if shines else None)
+    for one, expected in (
+        (scene, whole),
+        (replace(scene, ground=ALBEDO), whole + ground),
+        (replace(scene, ground="mirror"), whole * (1 + (-1.0) ** (L + M))),
+        (replace(scene, quantity="irradiance"), whole * lobe(BANDS)[L]),
     ):
-        got = fold(text, black, sets)
+        got = fold(one, black, np.array([theta, tau]))
         assert np.abs(got - expected[:, M >= 0]).max() < 3e-6 * np.abs(expected).max()
 
 
@@ -95,9 +102,9 @@ def test_a_sun_that_is_setting_lights_the_ground_by_what_is_up(sunk: float) -> N
     colour = sun_disc.radiance(theta, tau)
     fallen = colour * float(np.maximum(where[:, 2], 0) @ solid)
     whole = np.multiply.outer(colour, solid @ basis(where, BANDS))
-    ground = project(np.broadcast_to(np.array([0.1, 0.25, 0.6]) * fallen / math.pi, (len(BELOW), 3)), BELOW, SOLID)
-    got = fold("ground = [0.1, 0.25, 0.6]\nsun_disc = true", np.zeros((3, BANDS**2)), np.array([theta, tau]))
-    alone = fold("sun_disc = true", np.zeros((3, BANDS**2)), np.array([theta, tau]))
+    ground = project(np.broadcast_to(np.array(ALBEDO) * fallen / math.pi, (len(BELOW), 3)), BELOW, SOLID)
+    got = fold(replace(SCENE, sun=SUN, ground=ALBEDO), np.zeros((3, BANDS**2)), np.array([theta, tau]))
+    alone = fold(replace(SCENE, sun=SUN), np.zeros((3, BANDS**2)), np.array([theta, tau]))
     assert alone == pytest.approx(whole[:, M >= 0], abs=1e-6 * np.abs(whole).max())
     assert np.abs(got - alone - ground[:, M >= 0]).max() < 2e-3 * np.abs(ground).max()
 
@@ -106,31 +113,39 @@ def test_the_mirror_is_an_image() -> None:
     values = sky(0.6, 3.0)
     black = project(values, ABOVE, SOLID)
     image = black + project(values, ABOVE * [1, 1, -1], SOLID)
-    assert fold('ground = "mirror"', black, np.array([0.6, 3.0])) == pytest.approx(image[:, M >= 0], abs=1e-7 * image.max())
+    got = fold(replace(SCENE, ground="mirror"), black, np.array([0.6, 3.0]))
+    assert got == pytest.approx(image[:, M >= 0], abs=1e-7 * image.max())
 
 
 def test_a_sun_in_one_channel_is_its_luminance() -> None:
     theta, tau = 0.6, 3.0
     where, solid = disc(theta)
     luminance = float(sun_disc.radiance(theta, tau) @ np.linalg.inv(MATRIX)[1])
-    got = fold('channels = "luminance"\nsun_disc = true', np.zeros((1, BANDS**2)), np.array([theta, tau]))
+    scene = from_config.scene_of(scene_config('channels = "luminance"\nsun_disc = true'))
+    got = fold(scene, np.zeros((1, BANDS**2)), np.array([theta, tau]))
     assert got[0] == pytest.approx((luminance * solid @ basis(where, BANDS))[M >= 0], rel=1e-5, abs=1e-7 * luminance)
 
 
 def test_fixed_weather_takes_its_value() -> None:
-    one = fold("sun_disc = true", np.zeros((3, BANDS**2)), np.array([0.6, 3.4]))
+    one = fold(replace(SCENE, sun=SUN), np.zeros((3, BANDS**2)), np.array([0.6, 3.4]))
     text = "sun_disc = true\nfixed = { turbidity = 3.4 }"
-    config = scene_config(text, TEXT_WITHOUT_TURBIDITY)
-    kept = M >= 0
-    assert folded(config, np.zeros((3, int(kept.sum()))), L[kept], np.array([0.6])) == pytest.approx(one, rel=1e-12)
+    scene = from_config.scene_of(scene_config(text, TEXT_WITHOUT_TURBIDITY))
+    assert fold(scene, np.zeros((3, BANDS**2)), np.array([0.6])) == pytest.approx(one, rel=1e-12)
+
+
+def test_what_hides_the_sky_takes_its_ground() -> None:
+    """Below a skyline the ground reflects what the skyline leaves: it is no part of what is folded in."""
+    text = "ground = [0.1, 0.25, 0.6]"
+    scenes = [from_config.scene_of(scene_config(f"{text}\n{rest}")) for rest in ("", "horizon = [0.1, 0.2]")]
+    assert [scene.ground for scene in scenes] == [ALBEDO, "black"]
 
 
 def test_errors_of_irradiance_are_shares_of_pi() -> None:
     """E_mean divides by L_min; an even sky of it gives pi L_min on the horizontal, so irradiance is divided by that."""
     even = float((SOLID * ABOVE[:, 2]).sum())
-    assert luminance_scale(scene_config('quantity = "irradiance"')) == pytest.approx(even, rel=1e-12)
+    assert luminance_scale("irradiance") == pytest.approx(even, rel=1e-12)
     assert even == pytest.approx(math.pi, rel=1e-12)
-    assert luminance_scale(scene_config("")) == 1.0
+    assert luminance_scale("radiance") == 1.0
 
 
 @pytest.mark.parametrize("quantity", ["radiance", "irradiance"])
@@ -156,7 +171,7 @@ def test_what_errors_are_divided_by(quantity: str) -> None:
 
     config = scene_config(f'quantity = "{quantity}"')
     inputs = {"truth/verification": dataset(slice(0, 2), True), "truth/random": dataset(slice(2, 3), False)}
-    reference = reference_of(config, inputs, ("truth/verification", "truth/random"))
+    reference = from_config.reference_of(config, inputs, ("truth/verification", "truth/random"))
     scale, kernel = (math.pi, lobe(BANDS)) if quantity == "irradiance" else (1.0, np.ones(BANDS))
     assert reference.least == pytest.approx(scale * np.array([3.0, 4.0, 5.0]), rel=1e-14)
     assert reference.mean == pytest.approx(scale * mean * row.sum(), rel=1e-9)
@@ -165,9 +180,9 @@ def test_what_errors_are_divided_by(quantity: str) -> None:
 
 
 def test_the_window_is_eq_5() -> None:
-    factors = window(scene_config("window = true"), BANDS, L, M)
+    factors = window(from_config.scene_of(scene_config("window = true")), BANDS, mirrored=False)
     assert factors == pytest.approx(np.where(M == 0, sinc(math.pi * L / BANDS), 1.0), rel=1e-13)
-    assert window(scene_config(""), BANDS, L, M).tolist() == [1.0] * BANDS**2
+    assert window(SCENE, BANDS, mirrored=False).tolist() == [1.0] * BANDS**2
 
 
 def test_ground_below_a_skyline() -> None:

@@ -18,6 +18,7 @@ SOURCES = (
         for folder in ("light", "sphere", "quadrature", "fit", "table", "probe", "scene", "export")
     ),
     "pipeline/skylight_sh/runtime.py",
+    *(f"pipeline/skylight_sh/run/{name}.py" for name in ("config_axes", "from_config")),
     *(f"pipeline/skylight_sh/run/stages/{name}.py" for name in ("fit", "select", "origins", "truth")),
     *(f"pipeline/skylight_sh/report/{name}.py" for name in ("errors_csv", "ringing", "panorama")),
     "pipeline/skylight_sh/export/templates/*.j2",

@@ -2,23 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
-from skylight_sh.config.schema import Config, WinnerSection
-
-
-@dataclass(frozen=True)
-class Wanted:
-    """One table: the section that asks for it, its budget or its size (neither: the section's degrees), its layout."""
-
-    name: str
-    winner: WinnerSection
-    budget: float | None
-    size: int | None
-    layout: str
+from skylight_sh.config.schema import Config
+from skylight_sh.table.request import Request
 
 
-def wanted(config: Config) -> list[Wanted]:
+def wanted(config: Config) -> list[Request]:
     """Return the tables in the config's order: ``7-bands-0.1pct``, ``..-packed``, ``..-2048-bytes``, ``..-degrees-13-7``."""
     found = []
     for winner in config.winners:
@@ -32,7 +20,7 @@ def wanted(config: Config) -> list[Wanted]:
                 parts = [f"{winner.bands}-bands", about]
                 parts += [winner.dtype] if winner.dtype != "float32" else []
                 parts += ["packed"] if layout == "packed" else []
-                found.append(Wanted("-".join(parts), winner, budget, size, layout))
+                found.append(Request("-".join(parts), winner.bands, winner.dtype, layout, budget, size, winner.degrees))
     return found
 
 

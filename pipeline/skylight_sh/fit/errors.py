@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import SupportsFloat
 
 import numpy as np
@@ -53,6 +53,11 @@ class Reference:
         """Return the positions of the weights of the first ``bands`` bands."""
         return np.flatnonzero(self.degrees < bands)
 
+    def windowed(self, bands: int, window: Array) -> Reference:
+        """Return what a table of ``bands`` bands is measured against: its own weights, times a ``window`` ``(count,)``."""
+        use = self.first_bands(bands)
+        return replace(self, weights=self.weights[..., use] * window, degrees=self.degrees[use])
+
 
 def l_min(least: Array, mean: Array) -> dict[str, Array]:
     """Return the denominators of E_max and E_mean, ``(n,)``, by convention: of least and mean luminances ``(n,)``.
@@ -77,7 +82,12 @@ def e_mean(residual: Array, l_min: Array) -> float:
 
 def e_means(residual: Array, l_min: Array) -> Array:
     """Return each set's and channel's E_mean (eq. 3), ``(n, channels)``; arguments as ``e_mean``."""
-    return np.asarray(np.sqrt(np.square(residual).sum(axis=-1)) / l_min[:, np.newaxis])
+    return np.asarray(norms(residual) / l_min[:, np.newaxis])
+
+
+def norms(residual: Array) -> Array:
+    """Return the root of the sum of squares over the weights ``(..., count)``: E_mean of residuals in units of L_min."""
+    return np.asarray(np.sqrt(np.square(residual).sum(axis=-1)))
 
 
 def by_band(residual: Array, degrees: NDArray[np.int64], bands: int) -> tuple[Array, Array]:

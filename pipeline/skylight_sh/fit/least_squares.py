@@ -7,6 +7,8 @@ from collections.abc import Callable, Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from skylight_sh.fit.tensor_product import grid_products
+
 Array = NDArray[np.float64]
 Floats = NDArray[np.floating]
 
@@ -31,9 +33,7 @@ def fit_full(samples: Array, matrices: Sequence[Floats], solver: str) -> Array:
     """
     if solver not in SOLVERS:
         raise ValueError(f"Unknown solver {solver!r}. Should be one of: {', '.join(SOLVERS)}.")
-    system = matrices[0]
-    for matrix in matrices[1:]:
-        system = np.einsum("ai,bj->abij", system, matrix).reshape(len(system) * len(matrix), -1)
+    system = grid_products(matrices)
     solution = SOLVERS[solver](system, samples.reshape(len(system), -1))
     return np.asarray(solution.T.reshape(-1, *(m.shape[1] for m in matrices)))
 

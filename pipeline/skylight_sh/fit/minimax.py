@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from scipy import linalg
 
 from skylight_sh.fit import peaks
+from skylight_sh.fit.errors import norms
 from skylight_sh.reproducible import significant
 
 Array = NDArray[np.float64]
@@ -41,8 +42,7 @@ class Sampled:
         flat = coefficients.reshape(channels * count, -1)
         use = np.flatnonzero(flat.any(axis=0))
         made = self.basis[:, use] @ flat[:, use].T
-        residual = made.reshape(-1, channels, count) - self.truth
-        return np.asarray(np.sqrt(np.square(residual).sum(axis=-1)))
+        return norms(made.reshape(-1, channels, count) - self.truth)
 
     def largest(self, coefficients: Array) -> float:
         """Return the largest of ``errors``, between nodes too, rounded far above what differs from machine to machine."""

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from skylight_sh.fit.errors import Reference, by_band
+from skylight_sh.fit.tensor_product import products
 
 Array = NDArray[np.float64]
 Floats = NDArray[np.floating]
@@ -83,9 +84,7 @@ def _contract(coefficients: Array, vanders: Sequence[Floats], degrees: Sequence[
         return coefficients[np.newaxis]
     channels, count, first = coefficients.shape[:3]
     cut = coefficients[(slice(None),) * 3 + tuple(slice(d + 1) for d in degrees)]
-    product = np.ones((len(vanders[0]), 1))
-    for vander, d in zip(vanders, degrees, strict=True):
-        product = (product[:, :, np.newaxis] * vander[:, np.newaxis, : d + 1]).reshape(len(vander), -1)
+    product = products([vander[:, : d + 1] for vander, d in zip(vanders, degrees, strict=True)])
     return (product @ cut.reshape(-1, product.shape[1]).T).reshape(-1, channels, count, first)
 
 

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from skylight_sh.fit.axis import Axis
 from skylight_sh.fit.bases import BASES
 from skylight_sh.fit.least_squares import fit_tensor
+from skylight_sh.fit.tensor_product import grid_products
 
 Array = NDArray[np.float64]
 
@@ -116,9 +117,9 @@ def _best_denominator(
     few = samples[..., : min(samples.shape[-1], 6)].reshape(least.size, -1)
     options = []
     for degree, short, pull in itertools.product(_DENOMINATORS, _SHORT, _PULLS):
-        high = _products([m[:, : max(2, int(np.ceil(n * short)))] for m, n in zip(matrices, needed, strict=True)])
+        high = grid_products([m[:, : max(2, int(np.ceil(n * short)))] for m, n in zip(matrices, needed, strict=True)])
         low = [np.asarray(_VANDER(u, degree), dtype=np.float64) for u in scaled_nodes]
-        found = _denominator(_products(low), high, few, least.ravel(), pull)
+        found = _denominator(grid_products(low), high, few, least.ravel(), pull)
         if found is not None:
             options.append(found.reshape([degree + 1] * len(axes)))
     options.append(np.ones([1] * len(axes)))
@@ -176,11 +177,3 @@ def _needed(matrix: Array, relative: Array, index: int, budget: float) -> int:
 def _spread(brightness: Array) -> float:
     """Return by how much a rounding error grows, root mean square: 1 / (q * least), with its own scale."""
     return float(np.sqrt(np.mean(1.0 / brightness**2)))
-
-
-def _products(matrices: Sequence[Array]) -> Array:
-    """Return all products of bases ``(n_a, t_a)`` over a tensor grid: ``(prod n_a, prod t_a)``."""
-    out = matrices[0]
-    for matrix in matrices[1:]:
-        out = np.einsum("ai,bj->abij", out, matrix).reshape(len(out) * len(matrix), -1)
-    return out

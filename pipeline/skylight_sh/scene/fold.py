@@ -2,63 +2,99 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 from skylight_sh import sphere
-from skylight_sh.config.schema import Config
-from skylight_sh.fit.errors import Reference
 from skylight_sh.light import sun_disc
-from skylight_sh.light.preetham import Preetham
 
 Array = NDArray[np.float64]
 Index = NDArray[np.int64]
 
+Quantity = Literal["radiance", "irradiance"]
+Ground = Literal["black", "mirror"] | tuple[float, ...]
 
-def folded(config: Config, weights: Array, degrees: Index, sets: Array) -> Array:
-    """Return weights ``(..., channels, count)`` of the light at ``sets`` ``(..., axes)`` as what the scene asks for."""
-    scene, bands = config.scene, int(degrees.max()) + 1
+
+@dataclass(frozen=True)
+class Sun:
+    """The disc that shines beside a Preetham sky, dimmed by the air of the same turbidity (``light.sun_disc``).
+
+    ``zenith`` and ``turbidity`` name the sky's parameters, ``colour_space`` is the sky's; ``luminance_row`` ``(3,)`` reduces
+    the colour to one channel, where the sky is reduced to its luminance.
+    """
+
+    zenith: str
+    turbidity: str
+    colour_space: str = "srgb"
+    luminance_row: Array | None = None
+
+    def radiance(self, theta: Array, tau: Array) -> Array:
+        """Return the disc's radiance in cd/m2, ``(..., channels)``, for sun zenith angles (radians) and turbidities."""
+        colour = sun_disc.radiance(theta, tau, self.colour_space)
+        return colour if self.luminance_row is None else np.asarray(colour @ self.luminance_row)[..., np.newaxis]
+
+
+@dataclass(frozen=True)
+class Scene:
+    """What of a scene is folded into the weights of its light, before the fit.
+
+    ``axes`` names the parameters that vary, in their order, ``fixed`` holds the others. ``ground`` is what is below the
+    horizon: ``black``, the ``mirror`` image of the sky, or an albedo of 0 to 1 for each channel of an even ground that sky
+    and sun light. ``windowed`` says whether tables hold the zonal window of Habel et al. 2008, eq. 5.
+    """
+
+    axes: tuple[str, ...]
+    fixed: Mapping[str, float] = field(default_factory=dict)
+    quantity: Quantity = "radiance"
+    ground: Ground = "black"
+    sun: Sun | None = None
+    windowed: bool = False
+
+    def parameter(self, name: str, sets: Array) -> Array:
+        """Return the values ``(...)`` of a parameter, varying or fixed, at ``sets`` ``(..., axes)``. Raises KeyError."""
+        if name in self.axes:
+            return np.asarray(sets[..., self.axes.index(name)])
+        return np.full(sets.shape[:-1], self.fixed[name])
+
+
+def fold(scene: Scene, weights: Array, degrees: Index, sets: Array) -> Array:
+    """Return weights ``(..., channels, count)`` of a light at ``sets`` ``(..., axes)`` as what the scene asks for.
+
+    ``degrees`` ``(count,)`` are the weights' l: of all N*N, or of m >= 0 alone. Radiance in cd/m2 stays radiance, or becomes
+    irradiance in lux (its degrees times those of the clamped cosine: Ramamoorthi and Hanrahan 2001, eq. 8).
+
+    >>> irradiance = Scene(axes=("turbidity",), quantity="irradiance")
+    >>> fold(irradiance, np.ones((1, 3)), np.array([0, 1, 1]), np.array([2.5])).round(4).tolist()
+    [[3.1416, 2.0944, 2.0944]]
+    """
+    bands = int(degrees.max()) + 1
     mirrored = degrees.size != bands * bands
     from_below: Array | float = 0.0
-    if isinstance(config.light, Preetham) and scene.sun_disc:
-        theta, tau = (_parameter(config, sets, name) for name in ("sun_zenith", "turbidity"))
-        colour = sun_disc.radiance(theta, tau, config.light.colour_space)
-        if scene.channels == "luminance":
-            colour = (colour @ config.light.luminance_row)[..., np.newaxis]
+    if scene.sun:
+        theta, tau = (scene.parameter(name, sets) for name in (scene.sun.zenith, scene.sun.turbidity))
+        colour = scene.sun.radiance(theta, tau)
         orders = sphere.degrees_orders(bands, mirrored=mirrored)[1]
         disc = sun_disc.disc(theta, 0.0, bands)[..., np.newaxis, degrees * (degrees + 1) + orders]
         weights, from_below = weights + colour[..., np.newaxis] * disc, colour * sun_disc.from_below(theta)[..., np.newaxis]
     if scene.ground == "mirror":
         weights = sphere.mirror_ground(weights, bands, mirrored=mirrored)
-    elif scene.ground != "black" and not scene.masked:
+    elif scene.ground != "black":
         weights = sphere.add_ground(weights, scene.ground, bands, mirrored=mirrored, from_below=from_below)
     return weights if scene.quantity == "radiance" else weights * sphere.clamped_cosine(bands)[degrees]
 
 
-def _parameter(config: Config, sets: Array, name: str) -> Array:
-    """Return a parameter of the light at ``sets`` ``(..., axes)``: an axis, or fixed."""
-    for i, axis in enumerate(config.axes):
-        if axis.name == name:
-            return np.asarray(sets[..., i])
-    return np.full(sets.shape[:-1], config.scene.fixed[name])
-
-
-def luminance_scale(config: Config) -> float:
+def luminance_scale(quantity: Quantity) -> float:
     """Return what a radiance that errors are divided by is multiplied with: an even sky's irradiance is pi times it."""
-    return float(np.pi) if config.scene.quantity == "irradiance" else 1.0
+    return float(np.pi) if quantity == "irradiance" else 1.0
 
 
-def window(config: Config, bands: int, degrees: Index, orders: Index) -> Array:
-    """Return the factors ``(count,)`` of a table of ``bands`` bands: the zonal window, or ones."""
-    if not config.scene.window:
+def window(scene: Scene, bands: int, *, mirrored: bool) -> Array:
+    """Return what a table of ``bands`` bands holds its weights multiplied with, ``(count,)``: the zonal window, or ones."""
+    degrees, orders = sphere.degrees_orders(bands, mirrored=mirrored)
+    if not scene.windowed:
         return np.ones(degrees.size)
     return np.asarray(sphere.zonal_sinc(bands)[degrees * (degrees + 1) + orders])
-
-
-def windowed_reference(config: Config, bands: int, mirrored: bool, reference: Reference) -> Reference:
-    """Return what a table of ``bands`` bands is measured against: its own weights, behind the window if there is one."""
-    use = reference.first_bands(bands)
-    factors = window(config, bands, *sphere.degrees_orders(bands, mirrored=mirrored))
-    return replace(reference, weights=reference.weights[..., use] * factors, degrees=reference.degrees[use])

@@ -10,13 +10,11 @@ from numpy.typing import NDArray
 
 from skylight_sh import sphere
 from skylight_sh.config.schema import Config
-from skylight_sh.fit.errors import Reference, mean_luminance
-from skylight_sh.quadrature import parameter_points as parameter_sets
-from skylight_sh.quadrature import sampling
+from skylight_sh.fit.errors import Reference
+from skylight_sh.quadrature import parameter_points, sampling
 from skylight_sh.quadrature.registry import suited
-from skylight_sh.scene.axes import fit_nodes, is_searched
-from skylight_sh.scene.fold import folded, luminance_scale
-from skylight_sh.scene.frame import frame_of
+from skylight_sh.run.config_axes import fit_nodes, is_searched
+from skylight_sh.run.from_config import frame_of, reference
 from skylight_sh.table.table import Frame, Table
 
 Array = NDArray[np.float64]
@@ -48,10 +46,10 @@ def sample(config: Config, bands: int, random: int = 400, like: Table | None = N
     ranges = [axis.range for axis in config.axes]
     frame = _frame(config, like)
     nodes = fit_nodes(config, frame.axes)
-    grid = measured_at(config, parameter_sets.grid(nodes)).weights
+    grid = measured_at(config, parameter_points.grid(nodes)).weights
     half = grid.reshape(*(n.size for n in nodes), *grid.shape[1:])
-    corners = parameter_sets.grid([np.array(r) for r in ranges])
-    sets = np.concatenate([corners, parameter_sets.random(ranges, random, 77)])
+    corners = parameter_points.grid([np.array(r) for r in ranges])
+    sets = np.concatenate([corners, parameter_points.random(ranges, random, 77)])
     full = np.asarray(sphere.unmirror(half, bands), dtype=np.float64)
     return Samples(config, frame, nodes, full, half, measured_at(config, sets))
 
@@ -66,8 +64,7 @@ def measured_at(config: Config, sets: Array) -> Reference:
     """Sample parameter sets ``(n, axes)`` as something to measure errors against."""
     radiance, least = _radiance(config, sets)
     degrees, _ = sphere.degrees_orders(config.truth.bands, mirrored=True)
-    scale, mean = luminance_scale(config), mean_luminance(radiance[:, :, 0], config.source.luminance_row)
-    return Reference(sets, folded(config, radiance, degrees, sets), degrees, scale * least, scale * mean)
+    return reference(config, sets, radiance, degrees, least)
 
 
 def light_alone(raw: dict[str, Any]) -> dict[str, Any]:
@@ -80,7 +77,7 @@ def _radiance(config: Config, sets: Array) -> tuple[Array, Array]:
     bands, names = config.truth.bands, tuple(axis.name for axis in config.axes)
     weights = np.empty((len(sets), len(config.source.channels), sphere.count(bands, mirrored=True)))
     least = np.empty(len(sets))
-    for block in parameter_sets.chunks(sets, sampling.peak_of(config.source, names), 64):
+    for block in parameter_points.chunks(sets, sampling.peak_of(config.source, names), 64):
         rule = suited(config.source, bands)
         nodes = max(_NODES, bands + 12)
         job = sampling.Job(config.source, names, sets[block], nodes, bands, True, rule, config.truth.tolerance)

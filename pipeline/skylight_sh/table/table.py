@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from skylight_sh import sphere
+from skylight_sh.fit import tensor_product
 from skylight_sh.fit.axis import Axis
 from skylight_sh.fit.bases import BASES
 from skylight_sh.reproducible import product
@@ -182,12 +183,12 @@ class Table:
 
 def products(basis: str, axes: Sequence[Axis], values: Floats, degrees: Sequence[int]) -> Floats:
     """Return all products of one basis function an axis: ``(n, terms)``, first axis slowest, in the values' dtype."""
-    out = np.ones((len(values), 1), dtype=values.dtype)
-    for i, (axis, degree) in enumerate(zip(axes, degrees, strict=True)):
-        # A column of its own: libraries' functions may treat numbers that do not lie side by side otherwise.
-        vander = BASES[basis].vander(axis.scaled(np.ascontiguousarray(values[:, i])), degree)
-        out = (out[:, :, np.newaxis] * vander[:, np.newaxis, :]).reshape(len(values), -1)
-    return out
+    # A column of its own: libraries' functions may treat numbers that do not lie side by side otherwise.
+    columns = (np.ascontiguousarray(values[:, i]) for i in range(len(axes)))
+    vander = BASES[basis].vander
+    return tensor_product.products(
+        [vander(axis.scaled(column), d) for axis, column, d in zip(axes, columns, degrees, strict=True)]
+    )
 
 
 @dataclass(frozen=True)

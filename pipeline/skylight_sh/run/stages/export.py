@@ -14,9 +14,9 @@ from skylight_sh.export import c_header, npz, shaders, vectors
 from skylight_sh.fit.errors import published
 from skylight_sh.run.executors import Advance
 from skylight_sh.run.files import to_dataset
+from skylight_sh.run.from_config import read_table
 from skylight_sh.run.plan import Inputs, Step
 from skylight_sh.run.provenance import settings, settings_digest, whole_settings
-from skylight_sh.run.stages.measure import read_table
 from skylight_sh.store.dataset import Dataset
 from skylight_sh.table.table import Table
 
@@ -51,15 +51,15 @@ def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
     asked = wanted(config)
     files: dict[str, bytes] = {}
     rows = []
-    for done, table_wanted in enumerate(asked):
+    for done, request in enumerate(asked):
         advance(done, len(asked))
-        name = table_wanted.name
+        name = request.name
         found = read_table(select, f"tables/{name}")
         row = facts_of(config, found, measured, name)
         rows.append(row)
         provenance = {
             "table": name,
-            "budget": table_wanted.budget,
+            "budget": request.budget,
             "e_mean": row["e_mean"],
             "e_max": row["e_max"],
             "l_min": row["l_min"],

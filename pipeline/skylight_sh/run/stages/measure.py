@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 from dataclasses import replace
 from functools import partial
 
@@ -10,17 +9,16 @@ import numpy as np
 
 from skylight_sh.config.schema import Config
 from skylight_sh.config.wanted import wanted
-from skylight_sh.export import npz
 from skylight_sh.fit.errors import Reference
+from skylight_sh.run.config_axes import searched
 from skylight_sh.run.executors import Advance
+from skylight_sh.run.from_config import degree_ranges, fit_of, read_table, reference_of, scene_of, surrounded
 from skylight_sh.run.plan import Inputs, Step
-from skylight_sh.run.stages.fit import reference_of, swept
-from skylight_sh.run.stages.select import BudgetError
-from skylight_sh.scene.axes import variables
-from skylight_sh.scene.fold import windowed_reference
-from skylight_sh.scene.frame import surrounded
+from skylight_sh.scene.fold import window
 from skylight_sh.store.dataset import Dataset, Variable
 from skylight_sh.table.errors import least_reconstructed, measure
+from skylight_sh.table.grid_fit import swept
+from skylight_sh.table.selection import BudgetError
 from skylight_sh.table.table import Table
 
 HELD_OUT = "truth/held-out"
@@ -30,7 +28,7 @@ _LEAST_SETS = 150
 
 def steps(config: Config) -> list[Step]:
     """Return the measurement's step."""
-    needed = ("fit", "select", HELD_OUT, "truth/verification", *variables(config), *surrounded(config))
+    needed = ("fit", "select", HELD_OUT, "truth/verification", *searched(config), *surrounded(config))
     return [Step("measure", "", needed, {}, partial(_make, config))]
 
 
@@ -45,7 +43,7 @@ def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
             "The least luminance is positive on the sets that selection sees, but not on held-out ones. Narrow the axes' "
             "ranges, or raise `verification`, so that selection sees where it is not."
         )
-    asked = wanted(config)
+    asked, scene = wanted(config), scene_of(config)
     total = 1 + len(config.fit.references) + len(asked)
     advance(0, total)
     found = _swept(config, inputs, reference)
@@ -55,34 +53,28 @@ def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
     for done, (name, source) in enumerate(sources, start=1):
         advance(done, total)
         table = read_table(inputs[source], name)
-        window = partial(windowed_reference, config, table.bands, table.mirrored) if source == "select" else _as_is
-        found |= _measured(name, table, window(reference), window(seen))
-        if source == "select":
+        if source == "fit":
+            found |= _measured(name, table, reference, seen)
+        else:
+            factors = window(scene, table.bands, mirrored=table.mirrored)
+            behind, behind_seen = (part.windowed(table.bands, factors) for part in (reference, seen))
+            found |= _measured(name, table, behind, behind_seen)
             some = reference.parameters[:: max(1, len(reference.parameters) // _LEAST_SETS)]
             least = least_reconstructed(table, some, config.source.luminance_row)
             found[f"{name}/least"] = Variable((), np.array(least))
-    for table_wanted in asked:
-        reached = float(found[f"tables/{table_wanted.name}/e_mean"].data[0, :, -1].max())
-        if table_wanted.budget is not None and not reached <= table_wanted.budget:
+    for request in asked:
+        reached = float(found[f"tables/{request.name}/e_mean"].data[0, :, -1].max())
+        if request.budget is not None and not reached <= request.budget:
             raise BudgetError(
-                f"{table_wanted.name} meets winners.budgets = {table_wanted.budget:g} on the sets that selection sees, but "
+                f"{request.name} meets winners.budgets = {request.budget:g} on the sets that selection sees, but "
                 f"reaches {reached:.4g} on held-out ones. Raise the axes' `verification` or truth.random, so that "
                 "selection sees more."
             )
     return Dataset(found, {"conventions": ",".join(reference.l_min), "held_out": len(reference.parameters)})
 
 
-def read_table(artifact: Dataset, name: str) -> Table:
-    """Return a table that ``fit`` or ``select`` made; ``name`` starts with references/ or tables/."""
-    return npz.read(io.BytesIO(artifact[f"{name}/npz"].tobytes()))
-
-
-def _as_is(reference: Reference) -> Reference:
-    return reference
-
-
 def _swept(config: Config, inputs: Inputs, reference: Reference) -> dict[str, Variable]:
-    worst = swept(config, inputs, reference, config.truth.bands)
+    worst = swept(fit_of(config, inputs), reference, degree_ranges(config), config.truth.bands)
     dims = ("combination", "channel", "bands")
     return {
         "sweep/degrees": Variable(("combination", "axis"), np.array(worst.degrees)),

@@ -13,15 +13,14 @@ from skylight_sh.config.wanted import table_names
 from skylight_sh.quadrature import sampling
 from skylight_sh.report.figures import PICTURES
 from skylight_sh.report.report_data import Entry, Material, Sweep
+from skylight_sh.run.config_axes import axes_of, searched
 from skylight_sh.run.executors import Advance
 from skylight_sh.run.files import to_dataset
+from skylight_sh.run.from_config import read_table, scene_of, surrounded, surroundings_of
 from skylight_sh.run.plan import Inputs, Step
 from skylight_sh.run.provenance import drawing, settings
 from skylight_sh.run.stages import origins
-from skylight_sh.run.stages.measure import read_table
-from skylight_sh.scene.axes import axes_of, variables
-from skylight_sh.scene.fold import folded
-from skylight_sh.scene.frame import surrounded, surroundings_of
+from skylight_sh.scene.fold import fold
 from skylight_sh.store.dataset import Dataset
 
 Array = NDArray[np.float64]
@@ -33,7 +32,7 @@ def steps(config: Config) -> list[Step]:
     """Return the report's step."""
     parameters = {"config": settings(config), "drawing": drawing()}
     explained = (origins.STEP,) if origins.is_wanted(config) else ()
-    needed = (*_INPUTS, *variables(config), *surrounded(config), *explained)
+    needed = (*_INPUTS, *searched(config), *surrounded(config), *explained)
     return [Step("report", "", needed, parameters, partial(_make, config))]
 
 
@@ -70,7 +69,7 @@ def _material(config: Config, inputs: Inputs) -> Material:
         block, bands = values.reshape(1, 1, -1), config.truth.bands
         job = sampling.Job(config.source, names, block, nodes, bands, mirrored, rule_, tolerance)
         weights = np.asarray(sampling.project_block(job).weights[0, 0])
-        return folded(config, weights, grid["degree"], values)
+        return fold(scene_of(config), weights, grid["degree"], values)
 
     return Material(
         name=config.name,

@@ -12,13 +12,12 @@ from numpy.typing import NDArray
 from skylight_sh import sphere
 from skylight_sh.config.schema import Config
 from skylight_sh.fit.axis import Axis
-from skylight_sh.quadrature import convergence, sampling, validation
-from skylight_sh.quadrature import parameter_points as parameter_sets
+from skylight_sh.quadrature import convergence, parameter_points, sampling, validation
 from skylight_sh.quadrature.registry import suited
 from skylight_sh.quadrature.samples import Samples
+from skylight_sh.run.config_axes import axes_of, fit_nodes, given_axes, searched, verification_nodes
 from skylight_sh.run.executors import Advance, map_tasks
 from skylight_sh.run.plan import Inputs, Step
-from skylight_sh.scene.axes import axes_of, fit_nodes, given_axes, variables, verification_nodes
 from skylight_sh.store.dataset import Dataset, Variable
 
 Array = NDArray[np.float64]
@@ -41,7 +40,7 @@ def steps(config: Config) -> list[Step]:
         "scene": {"fixed": config.scene.fixed, "channels": config.scene.channels},
     }
     rule = Step("truth", "rule", (), common, partial(_make_rule, config))
-    needed, spacing = (rule.name, *variables(config)), spacing_of(config)
+    needed, spacing = (rule.name, *searched(config)), spacing_of(config)
     found = [
         rule,
         Step("truth", "grid", needed, spacing, partial(make_grid, config, fit_nodes, "grid")),
@@ -85,7 +84,7 @@ def make_grid(config: Config, nodes_of: NodesOf, name: str, inputs: Inputs, adva
     axes = axes_of(config, inputs)
     nodes = nodes_of(config, axes)
     shape = tuple(n.size for n in nodes)
-    samples, rule = _sample(config, parameter_sets.grid(nodes), inputs, advance)
+    samples, rule = _sample(config, parameter_points.grid(nodes), inputs, advance)
     dims = tuple(axis.name for axis in config.axes)
     coordinates = {
         axis.name: Variable((axis.name,), values, {"units": axis.unit, "long_name": axis.name.replace("_", " ")})
@@ -95,7 +94,7 @@ def make_grid(config: Config, nodes_of: NodesOf, name: str, inputs: Inputs, adva
 
 
 def _make_random(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
-    sets = parameter_sets.random([axis.range for axis in config.axes], config.truth.random, config.truth.seed)
+    sets = parameter_points.random([axis.range for axis in config.axes], config.truth.random, config.truth.seed)
     return _make_list(config, sets, "random", inputs, advance)
 
 
@@ -104,7 +103,7 @@ def _make_held_out(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
     # The sets do not hang on the order in which a config names its axes.
     order = np.argsort([axis.name for axis in config.axes])
     ranges = [config.axes[i].range for i in order]
-    sets = parameter_sets.held_out(ranges, truth.held_out, truth.held_out_edge, truth.held_out_seed)[:, np.argsort(order)]
+    sets = parameter_points.held_out(ranges, truth.held_out, truth.held_out_edge, truth.held_out_seed)[:, np.argsort(order)]
     return _make_list(config, sets, "held-out", inputs, advance)
 
 
@@ -121,7 +120,7 @@ def _sample(config: Config, sets: Array, inputs: Inputs, advance: Advance) -> tu
     rule, light = inputs["truth/rule"], config.source
     nodes, mirrored, name = int(rule.attrs["nodes"]), bool(rule.attrs["mirrored"]), str(rule.attrs["rule"])
     names = tuple(axis.name for axis in config.axes)
-    blocks = parameter_sets.chunks(sets, sampling.peak_of(light, names), _SETS_PER_TASK)
+    blocks = parameter_points.chunks(sets, sampling.peak_of(light, names), _SETS_PER_TASK)
     bands, tolerance = config.truth.bands, config.truth.tolerance
     jobs = [sampling.Job(light, names, sets[block], nodes, bands, mirrored, name, tolerance) for block in blocks]
     results = map_tasks(

@@ -12,10 +12,10 @@ from numpy.typing import NDArray
 from skylight_sh.config.schema import Config
 from skylight_sh.fit.errors import mean_luminance
 from skylight_sh.fit.variable_search import search
+from skylight_sh.run.config_axes import fit_nodes, given_axes, is_searched
 from skylight_sh.run.executors import Advance
 from skylight_sh.run.plan import Inputs, Step
 from skylight_sh.run.stages import truth
-from skylight_sh.scene.axes import fit_nodes, given_axes, is_searched
 from skylight_sh.store.dataset import Dataset, Variable
 
 Array = NDArray[np.float64]

@@ -17,8 +17,8 @@ from skylight_sh.config.schema import Config
 from skylight_sh.config.surroundings_schema import LightSection, SphereLight, SpotLight
 from skylight_sh.probe import files
 from skylight_sh.quadrature import sampling
+from skylight_sh.run.from_config import surroundings_of
 from skylight_sh.run.stages import surroundings
-from skylight_sh.scene import frame
 
 Array = NDArray[np.float64]
 
@@ -81,7 +81,7 @@ def measure(
     narrow = config.model_copy(update={"truth": config.truth.model_copy(update={"bands": bands})})
     narrow = narrow.within(config.folder)
     (step,) = surroundings.steps(narrow)
-    around = frame.surroundings_of({step.name: step.make({}, lambda _done, _all: None)})[bands]
+    around = surroundings_of({step.name: step.make({}, lambda _done, _all: None)})[bands]
     off = np.stack([around.apply(_expansion(config, *sun, bands), bands) for sun in suns]) - exact
     errors = {
         n: np.linalg.norm(off[..., : n * n], axis=-1) / np.linalg.norm(exact[..., : n * n], axis=-1)

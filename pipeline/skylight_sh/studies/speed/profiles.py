@@ -14,11 +14,11 @@ from typing import Any
 from skylight_sh.config import parse
 from skylight_sh.config.schema import Config
 from skylight_sh.run import plan
+from skylight_sh.run.from_config import read_table
 from skylight_sh.run.progress import silent
 from skylight_sh.run.provenance import settings
 from skylight_sh.run.runner import steps
 from skylight_sh.run.stages.export import facts_of
-from skylight_sh.run.stages.measure import read_table
 from skylight_sh.store.store import Store
 from skylight_sh.studies import compiled
 from skylight_sh.studies.grid_samples import Samples, light_alone

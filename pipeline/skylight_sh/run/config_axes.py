@@ -1,4 +1,4 @@
-"""A config's axes and nodes as the numerics know them: given, or found by the search for variables."""
+"""A config's axes and nodes as the numerics know them: given, or found by the search for changes of variable."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def is_searched(config: Config) -> bool:
     return config.fit.prefactor == "auto" or any(axis.map == "auto" for axis in config.axes)
 
 
-def variables(config: Config) -> tuple[str, ...]:
+def searched(config: Config) -> tuple[str, ...]:
     """Return the name of the search's step among a step's inputs, if there is one."""
     return (VARIABLES,) if is_searched(config) else ()
 

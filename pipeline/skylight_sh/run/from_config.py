@@ -1,0 +1,142 @@
+"""A config and the steps' results as the plain objects that the numerics take: scene, factor, frame, what errors are of."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from skylight_sh.config.schema import Config
+from skylight_sh.export import npz
+from skylight_sh.fit.errors import Reference, mean_luminance
+from skylight_sh.light.preetham import Preetham
+from skylight_sh.quadrature import parameter_points
+from skylight_sh.run.config_axes import VARIABLES, axes_of
+from skylight_sh.run.plan import Inputs
+from skylight_sh.scene.fold import Scene, Sun, fold, luminance_scale
+from skylight_sh.store.dataset import Dataset
+from skylight_sh.table.grid_fit import GridFit
+from skylight_sh.table.prefactor import ClosedForm, Factor, Reciprocal
+from skylight_sh.table.surroundings import PARTS, Surroundings
+from skylight_sh.table.table import Frame, Table
+
+Array = NDArray[np.float64]
+
+SURROUNDINGS = "truth/surroundings"
+
+
+def scene_of(config: Config) -> Scene:
+    """Return what of the config's scene is folded into the weights; what hides the sky takes the ground with it."""
+    scene = config.scene
+    return Scene(
+        axes=tuple(axis.name for axis in config.axes),
+        fixed=scene.fixed,
+        quantity=scene.quantity,
+        ground="black" if scene.masked and scene.ground != "mirror" else scene.ground,
+        sun=_sun(config) if scene.sun_disc else None,
+        windowed=scene.window,
+    )
+
+
+def _sun(config: Config) -> Sun | None:
+    light = config.light
+    peak = light.hints.peak_axis
+    if not isinstance(light, Preetham) or peak is None:
+        return None
+    return Sun(peak, "turbidity", light.colour_space, light.luminance_row if config.scene.channels == "luminance" else None)
+
+
+def factor_of(config: Config, inputs: Inputs) -> Factor | None:
+    """Return what the fit divides by: the light's closed form, a polynomial's reciprocal found in samples, or nothing."""
+    if config.fit.prefactor == "auto":
+        return Reciprocal(inputs[VARIABLES]["denominator"])
+    hint = config.source.hints.prefactor
+    if not (config.fit.prefactor and hint):
+        return None
+    fixed = {name: value for name, value in config.scene.fixed.items() if name in hint.axes}
+    return ClosedForm(hint.name, hint.constants, tuple(sorted(fixed.items())))
+
+
+def surrounded(config: Config) -> tuple[str, ...]:
+    """Return the name of the step that made the surroundings among a step's inputs, if there are any."""
+    return (SURROUNDINGS,) if config.scene.surrounded else ()
+
+
+def surroundings_of(inputs: Inputs) -> dict[int, Surroundings]:
+    """Return the surroundings by the number of bands; none where there are none."""
+    if SURROUNDINGS not in inputs:
+        return {}
+    made = inputs[SURROUNDINGS]
+    bands = sorted({int(name.split("/")[1]) for name in made.variables})
+    return {n: Surroundings(*(made[f"{part}/{n}"] for part in PARTS)) for n in bands}
+
+
+def frame_of(config: Config, inputs: Inputs, *, mirrored: bool) -> Frame:
+    """Return what all tables of a run's fit have in common: axes, channels, factor, and what the scene folds in."""
+    scene = config.scene
+    return Frame(
+        axes_of(config, inputs),
+        config.source.channels,
+        mirrored,
+        config.fit.basis,
+        factor_of(config, inputs),
+        quantity=scene.quantity,
+        windowed=scene.window,
+        azimuth=scene.azimuth,
+        ground=scene.ground if isinstance(scene.ground, str) else f"albedo {', '.join(f'{a:g}' for a in scene.ground)}",
+        sun_disc=scene.sun_disc,
+        twilight=scene.twilight,
+        surroundings=surroundings_of(inputs),
+    )
+
+
+def degree_ranges(config: Config) -> list[range]:
+    """Return the degrees that the fit is swept over, an axis."""
+    return [range(axis.degrees[0], axis.degrees[1] + 1) for axis in config.axes]
+
+
+def fit_of(config: Config, inputs: Inputs) -> GridFit:
+    """Return what the step ``fit`` has fitted."""
+    made = inputs["fit"]
+    axes, factor = axes_of(config, inputs), factor_of(config, inputs)
+    return GridFit(made["coefficients"], axes, config.fit.basis, factor, float(made["condition"]))
+
+
+def selected_on(config: Config) -> tuple[str, ...]:
+    """Return the names of the truth steps that selection sees."""
+    return ("truth/verification", *(("truth/random",) if config.truth.random else ()))
+
+
+def reference_of(config: Config, inputs: Inputs, truths: Sequence[str]) -> Reference:
+    """Gather the steps ``truths``, grids or lists of sets, into what errors are measured against."""
+    parts = [inputs[name] for name in truths]
+    names = [axis.name for axis in config.axes]
+    parameters = []
+    for part in parts:
+        columns = [part[name] for name in names]
+        parameters.append(np.stack(columns, axis=-1) if "set" in part.variables else parameter_points.grid(columns))
+    weights = np.concatenate([p["weights"].reshape(-1, *p["weights"].shape[-2:]) for p in parts])
+    least = np.concatenate([p["least_luminance"].ravel() for p in parts])
+    return reference(config, np.concatenate(parameters), weights, parts[0]["degree"], least)
+
+
+def reference(config: Config, sets: Array, radiance: Array, degrees: NDArray[np.int64], least: Array) -> Reference:
+    """Return what errors of the config's scene are measured against at ``sets`` ``(n, axes)``.
+
+    Of the light alone: weights ``radiance`` ``(n, channels, count)`` of ``degrees`` ``(count,)``, least luminances ``(n,)``.
+    """
+    scale = luminance_scale(config.scene.quantity)
+    return Reference(
+        parameters=sets,
+        weights=fold(scene_of(config), radiance, degrees, sets),
+        degrees=degrees,
+        least=scale * least,
+        mean=scale * mean_luminance(radiance[:, :, 0], config.source.luminance_row),
+    )
+
+
+def read_table(artifact: Dataset, name: str) -> Table:
+    """Return a table that ``fit`` or ``select`` made; ``name`` starts with references/ or tables/."""
+    return npz.read(io.BytesIO(artifact[f"{name}/npz"].tobytes()))
