@@ -12,6 +12,7 @@ from skylight_sh import shipped
 from skylight_sh.config.choices import AnyOf, OneOf
 from skylight_sh.config.section import Section
 from skylight_sh.config.surroundings_schema import CloudsSection, LightSection, OccluderSection
+from skylight_sh.export.targets import ALWAYS, TARGETS
 from skylight_sh.fit.bases import BASES
 from skylight_sh.fit.least_squares import SOLVERS
 from skylight_sh.fit.maps import MAPS
@@ -27,7 +28,7 @@ DType = Literal["float32", "float64"]
 BasisName = Annotated[str, OneOf(BASES, "basis")]
 PictureName = Annotated[str, OneOf(PICTURES, "picture")]
 SolverName = Annotated[str, OneOf(SOLVERS, "solver")]
-Target = Literal["c", "npz", "glsl", "hlsl", "wgsl", "vectors"]
+TargetName = Annotated[str, OneOf(TARGETS, "target")]
 
 
 class AxisSection(Section):
@@ -116,16 +117,9 @@ class ExportSection(Section):
         "skylight_sh", pattern=r"^[a-z][a-z0-9_]{0,31}$", description="prefix of every C symbol: lower-case C identifier"
     )
     recommended: str = Field(description="name of the table to recommend, e.g. 7-bands-0.1pct")
-    targets: tuple[Target, ...] = Field(
-        ("c", "npz"),
-        description="c and npz, always; glsl, hlsl, wgsl: shaders of tables of layout rows in float32; vectors: test "
-        "vectors and a C program that holds the header against them",
+    targets: tuple[TargetName, ...] = Field(
+        ALWAYS, description=f"what is written of each table: {' and '.join(ALWAYS)}, always, and others"
     )
-
-    @property
-    def shaders(self) -> tuple[str, ...]:
-        """The shading languages among the targets, each once."""
-        return tuple(t for t in dict.fromkeys(self.targets) if t not in ("c", "npz", "vectors"))
 
 
 class CaseSection(Section):

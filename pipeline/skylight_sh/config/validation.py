@@ -10,6 +10,7 @@ from skylight_sh.config import surroundings_validation
 from skylight_sh.config.problem import Problem
 from skylight_sh.config.schema import AxisSection, Config
 from skylight_sh.config.wanted import table_names
+from skylight_sh.export.targets import ALWAYS
 from skylight_sh.light import PREFACTORS
 from skylight_sh.light.preetham import Preetham
 
@@ -232,8 +233,8 @@ def _names(config: Config) -> Iterator[Problem]:
 
 def _export(config: Config) -> Iterator[Problem]:
     export = config.export
-    if not {"c", "npz"} <= set(export.targets):
+    if not set(ALWAYS) <= set(export.targets):
         yield Problem("$.export.targets", list(export.targets), 'Every run ships the header and the NPZ. Add "c" and "npz".')
-    own = export.prefix.startswith(("gl_", "webgl_")) or "__" in export.prefix or export.prefix.endswith("_")
-    if export.shaders and own:
-        yield Problem("$.export.prefix", export.prefix, "Shading languages reserve it: no gl_, webgl_, __ or _ at the end.")
+    if export.prefix.startswith(("gl_", "webgl_")) or "__" in export.prefix or export.prefix.endswith("_"):
+        remedy = "C++ or shading languages reserve it: no gl_, webgl_, __ or _ at the end."
+        yield Problem("$.export.prefix", export.prefix, remedy)

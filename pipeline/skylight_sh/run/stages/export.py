@@ -10,7 +10,7 @@ from typing import Any
 from skylight_sh import __version__
 from skylight_sh.config.schema import Config
 from skylight_sh.config.wanted import wanted
-from skylight_sh.export import c_header, npz, shaders, vectors
+from skylight_sh.export import targets
 from skylight_sh.fit.errors import published
 from skylight_sh.run.executors import Advance
 from skylight_sh.run.files import to_dataset
@@ -47,6 +47,9 @@ def facts_of(config: Config, table: Table, measured: Dataset, name: str) -> dict
 
 
 def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
+    # Templates take longer to import than a cached run should.
+    from skylight_sh.export.c_header import Facts
+
     select, measured = inputs["select"], inputs["measure"]
     asked = wanted(config)
     files: dict[str, bytes] = {}
@@ -67,7 +70,7 @@ def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
             "version": __version__,
         }
         table = dataclasses.replace(found, provenance=provenance)
-        facts = c_header.Facts(
+        facts = Facts(
             config.source.title,
             row["e_mean"],
             row["e_max"],
@@ -76,14 +79,8 @@ def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
             least=row["least"],
             luminance=config.source.luminance_row.tolist(),
         )
-        files[f"{row['path']}/skylight_sh.npz"] = npz.write(table)
-        files[f"{row['path']}/skylight_sh.h"] = c_header.write(table, facts, config.export.prefix).encode()
-        if "vectors" in config.export.targets:
-            files[f"{row['path']}/skylight_sh_vectors.txt"] = vectors.write(table).encode()
-            files[f"{row['path']}/skylight_sh_selftest.c"] = vectors.self_test(table, config.export.prefix).encode()
-        for language in config.export.shaders if shaders.obstacle(table) is None else ():
-            text = shaders.write(table, facts, language, config.export.prefix)
-            files[f"{row['path']}/skylight_sh.{language}"] = text.encode()
+        written = targets.write(config.export.targets, table, facts, config.export.prefix)
+        files |= {f"{row['path']}/{file}": data for file, data in written.items()}
     summary = {"config": whole_settings(config), "recommended": config.export.recommended, "tables": rows}
     files["summary.json"] = (json.dumps(summary, indent=2) + "\n").encode()
     return to_dataset(files)

@@ -1,0 +1,33 @@
+"""Targets of the export, one file a target, named here. What a target writes, its file's first line says."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from skylight_sh.export.target import Target
+from skylight_sh.registry import Registry
+
+if TYPE_CHECKING:
+    from skylight_sh.export.c_header import Facts
+    from skylight_sh.table.table import Table
+
+TARGETS: Registry[Target] = Registry(
+    {
+        "c": "skylight_sh.export.targets.c:TARGET",
+        "npz": "skylight_sh.export.targets.npz:TARGET",
+        "glsl": "skylight_sh.export.targets.glsl:TARGET",
+        "hlsl": "skylight_sh.export.targets.hlsl:TARGET",
+        "wgsl": "skylight_sh.export.targets.wgsl:TARGET",
+        "vectors": "skylight_sh.export.targets.vectors:TARGET",
+    }
+)
+# What every run ships.
+ALWAYS = ("c", "npz")
+
+
+def write(names: Sequence[str], table: Table, facts: Facts, prefix: str) -> dict[str, bytes]:
+    """Return the files of ``table`` by name for the targets ``names``, but for those that have an obstacle."""
+    targets = [TARGETS[name] for name in dict.fromkeys(names)]
+    shipped = [target.write(table, facts, prefix) for target in targets if target.obstacle(table) is None]
+    return {name: data for files in shipped for name, data in files.items()}
