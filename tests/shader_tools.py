@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from skylight_sh.export import shaders
 from skylight_sh.export.c_header import Facts
 from skylight_sh.export.shader_dialects import DIALECTS, number
-from skylight_sh.table.table import Table
+from skylight_sh.runtime import Table
 
 Floats = NDArray[np.float32]
 FACTS = Facts("Sky \\\n one */ \u2028 \u00fc \\", 0.001, 0.004, "per-set", ["line one \\", "line\ntwo"])

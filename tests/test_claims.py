@@ -12,10 +12,9 @@ import pytest
 from click.testing import CliRunner
 from conftest import ROOT
 from numpy.typing import NDArray
-from skylight_sh import sphere
+from skylight_sh import runtime, sphere
 from skylight_sh.config import Config, parse
 from skylight_sh.config.extending import read
-from skylight_sh.export import npz
 from skylight_sh.light import spherical_lights
 from skylight_sh.report.page import _TEMPLATES
 from skylight_sh.studies.claims import readme, scene
@@ -121,7 +120,7 @@ def test_the_page_says_what_is_rounding_noise(fit: str, reference: str | None, n
 
 
 def test_speed_is_recorded_with_its_spread_and_machine(tmp_path: Path) -> None:
-    tables = {"one": npz.read(REFERENCE / "export" / "skylight_sh.npz")}
+    tables = {"one": runtime.read(REFERENCE / "export" / "skylight_sh.npz")}
     ratios = {f"{key}{part}": 12.345 for key in speed._RATIOS for part in ("", ", least", ", most")}
     times = dict.fromkeys(speed._TIMES, 123.45)
     rows = [{"table": name, "bytes": 10, **times, **ratios} for name in (LITERAL, "one", "lookup 9, linear")]

@@ -14,18 +14,18 @@ import pytest
 from conftest import ROOT, SMALL, run_quietly
 from skylight_sh import runtime
 from skylight_sh.config import load
-from skylight_sh.export import c_header, npz, vectors
+from skylight_sh.export import c_header, vectors
+from skylight_sh.runtime import Table
 from skylight_sh.studies.stability import fuzz
 from skylight_sh.studies.stability.flavours import flavours
-from skylight_sh.table.table import Table
 
 pytestmark = pytest.mark.tools
 
 REFERENCE = ROOT / "reports" / "reference" / "export"
 TABLES = {
     **flavours(),
-    "released": npz.read(REFERENCE / "skylight_sh.npz"),
-    "released-packed": npz.read(REFERENCE / "7-bands-0.1pct-packed" / "skylight_sh.npz"),
+    "released": runtime.read(REFERENCE / "skylight_sh.npz"),
+    "released-packed": runtime.read(REFERENCE / "7-bands-0.1pct-packed" / "skylight_sh.npz"),
 }
 FACTS = c_header.Facts("conformance", 0.0, 0.0, "per-set", [])
 STRICT = "-Wall -Wextra -Wconversion -Wshadow -pedantic -Werror"

@@ -20,8 +20,9 @@ from skylight_sh.config.validation import usable
 from skylight_sh.export import c_header, npz
 from skylight_sh.fit.axis import Axis
 from skylight_sh.run.runner import Result
+from skylight_sh.runtime import Table
 from skylight_sh.table.prefactor import Reciprocal
-from skylight_sh.table.table import Frame, Table, fast, small
+from skylight_sh.table.table import fast, small, specification
 
 Array = NDArray[np.float64]
 STRICT = ["-O2", "-Wall", "-Wextra", "-Wconversion", "-pedantic", "-Werror"]
@@ -190,7 +191,7 @@ def test_tables_over_any_axes_reach_c(
     made = tuple(Axis(n, 0.0, 1.0 + i, map=kinds[i][0], point=kinds[i][1]) for i, n in enumerate(names))
     factor = Reciprocal(np.array([2.0, 0.3, 0.1]).reshape(3, *(1,) * (axes - 1)).astype(np.float32))
     dense = rng.normal(size=(2, sphere.count(3, mirrored=mirrored), *(d + 1 for d in degrees)))
-    frame = Frame(made, ("one", "two"), mirrored, basis, factor if basis == "chebyshev" else None)
+    frame = specification(made, ("one", "two"), mirrored, basis, factor if basis == "chebyshev" else None)
     if layout == "packed":
         whole = np.rint(20 * dense.swapaxes(0, 1).reshape(dense.shape[1], 2, degrees[0] + 1, -1)).astype(np.int64)
         table = small(frame, whole * rng.integers(0, 2, whole.shape), 0.05, degrees, 3)
@@ -209,7 +210,7 @@ def test_tables_over_any_axes_reach_c(
 
 @pytest.mark.parametrize("language", COMPILERS)
 def test_one_band_compiles(tmp_path: Path, language: str) -> None:
-    frame = Frame((Axis("sun_zenith", 0.0, 1.0),), ("one",), True, "chebyshev", None)
+    frame = specification((Axis("sun_zenith", 0.0, 1.0),), ("one",), True, "chebyshev", None)
     table = fast(frame, np.ones((1, 1, 3)), np.array(3), 1, "float32")
     (tmp_path / "skylight_sh.h").write_text(c_header.write(table, FACTS, "other_sh"), encoding="utf-8")
     driver = compiled(tmp_path, tmp_path, 2, COMPILERS[language], STRICT, "other_sh")
@@ -219,7 +220,7 @@ def test_one_band_compiles(tmp_path: Path, language: str) -> None:
 
 
 def test_two_tables_meet_in_one_program(small_run: Result, tmp_path: Path) -> None:
-    table = npz.read(exported(small_run)["4-bands-1pct"] / "skylight_sh.npz")
+    table = runtime.read(exported(small_run)["4-bands-1pct"] / "skylight_sh.npz")
     for prefix in ("day_sh", "night_sh"):
         (tmp_path / f"{prefix}.h").write_text(c_header.write(table, FACTS, prefix), encoding="utf-8")
     unit = '#include "day_sh.h"\n#include "night_sh.h"\n#include "day_sh.h"\n'
@@ -236,7 +237,7 @@ def test_two_tables_meet_in_one_program(small_run: Result, tmp_path: Path) -> No
 
 @pytest.mark.parametrize("prefix", ["2x", "A", "a-b", "a b", "x" * 33, ""])
 def test_a_prefix_that_is_no_identifier_is_refused(small_run: Result, prefix: str) -> None:
-    table = npz.read(exported(small_run)["4-bands-1pct"] / "skylight_sh.npz")
+    table = runtime.read(exported(small_run)["4-bands-1pct"] / "skylight_sh.npz")
     with pytest.raises(ValueError, match="Invalid prefix"):
         c_header.write(table, FACTS, prefix)
 
@@ -244,7 +245,7 @@ def test_a_prefix_that_is_no_identifier_is_refused(small_run: Result, prefix: st
 def test_npz_round_trip_and_provenance(small_run: Result, tmp_path: Path) -> None:
     for folder in exported(small_run).values():
         data = (folder / "skylight_sh.npz").read_bytes()
-        table = npz.read(folder / "skylight_sh.npz")
+        table = runtime.read(folder / "skylight_sh.npz")
         assert npz.write(table) == data
         assert {"config", "version"} <= set(table.provenance)
         assert not {"environment", "keys"} & set(table.provenance)
@@ -254,7 +255,7 @@ def test_npz_round_trip_and_provenance(small_run: Result, tmp_path: Path) -> Non
     for name, content in {"text.npz": b"hello", "empty.npz": b"", "cut.npz": data[:500]}.items():
         (tmp_path / name).write_bytes(content)
         with pytest.raises(ValueError, match=r"no table .*Give the \.npz") as caught:
-            npz.read(tmp_path / name)
+            runtime.read(tmp_path / name)
         assert "pickle" not in str(caught.value)
 
 
@@ -294,7 +295,7 @@ print(runtime.load({str(path)!r}).weights(0.8, 0.0, 3.0).shape)
 def test_names_of_axes_that_headers_use_are_refused(small_run: Result, tmp_path: Path) -> None:
     """A header compiles with an axis of any name that is let through, those that occur in it among them."""
     text = re.sub(r"/\*.*?\*/", "", (small_run.folder / "export" / "skylight_sh.h").read_text(encoding="utf-8"), flags=re.S)
-    table = npz.read(small_run.folder / "export" / "skylight_sh.npz")
+    table = runtime.read(small_run.folder / "export" / "skylight_sh.npz")
     words = sorted({w for w in re.findall(r"[a-z][a-z0-9_]+", text) if not w.startswith("skylight")} | {"haze", "hour"})
     allowed = [w for w in words if usable(w) and w != table.axes[0].name]
     assert {"haze", "hour"} <= set(allowed)

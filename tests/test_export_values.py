@@ -17,7 +17,7 @@ from skylight_sh.fit.axis import Axis
 from skylight_sh.studies.stability.flavours import flavours
 from skylight_sh.table import twilight
 from skylight_sh.table.prefactor import ClosedForm
-from skylight_sh.table.table import Frame, fast
+from skylight_sh.table.table import fast, specification
 
 FLAVOURS = flavours()
 
@@ -126,7 +126,7 @@ def test_c_becomes_shader_text() -> None:
 
 def test_a_shaders_slack_is_a_millionth_of_the_range_or_of_one() -> None:
     for high, limits in ((0.25, "haze < -1e-06 || haze > 0.250001"), (4.0, "haze < -4e-06 || haze > 4.000004")):
-        frame = Frame((Axis("haze", 0.0, high),), ("one",), True, "chebyshev", None)
+        frame = specification((Axis("haze", 0.0, high),), ("one",), True, "chebyshev", None)
         table = fast(frame, np.ones((1, 1, 2)), np.array(2), 1, "float32")
         text = shaders.write(table, c_header.Facts("t", 0.0, 0.0, "per-set", []), "glsl")
         found = re.findall(r"if \(haze < (\S+) \|\| haze > (\S+)\)", text)

@@ -11,15 +11,15 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 from skylight_sh.fit import errors, least_squares, sweep
 from skylight_sh.fit.axis import Axis
-from skylight_sh.fit.bases import BASES
 from skylight_sh.fit.minimax import Sampled, even, metric, sharpen
 from skylight_sh.fit.term_selection import fewest
+from skylight_sh.formula.bases import BASES
 
 Array = NDArray[np.float64]
-MAPS = st.sampled_from([("identity", 0.0), ("log", -0.5), ("reciprocal", -2.0), ("reciprocal", 30.0), ("cbrt", 30.0)])
+VARIABLES = st.sampled_from([("identity", 0.0), ("log", -0.5), ("reciprocal", -2.0), ("reciprocal", 30.0), ("cbrt", 30.0)])
 
 
-@given(low=st.floats(0.0, 3.0), width=st.floats(0.1, 9.0), kind=MAPS, share=st.floats(0.0, 1.0))
+@given(low=st.floats(0.0, 3.0), width=st.floats(0.1, 9.0), kind=VARIABLES, share=st.floats(0.0, 1.0))
 def test_maps_reach_both_ends_rise_or_fall_and_invert(
     low: float, width: float, kind: tuple[str, float], share: float
 ) -> None:

@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 from skylight_sh import sphere
 from skylight_sh.export import c_header, paper_literal
 from skylight_sh.fit.axis import Axis
-from skylight_sh.fit.maps import MAPS
+from skylight_sh.runtime import Table
 from skylight_sh.table import twilight
-from skylight_sh.table.table import Frame, Table, fast
+from skylight_sh.table.table import fast, specification
 
 Array = NDArray[np.float64]
 
@@ -43,10 +43,12 @@ def one_weight(table: Table, values: Array, folder: Path) -> Array:
 def test_maps_in_c_are_those_of_python(tmp_path: Path) -> None:
     """Each map over a range that does not start at 0, against its formula in double."""
     points = {"identity": 0.0, "log": 0.7, "reciprocal": 5.5, "cbrt": 4.25, "raw": 0.0}
-    assert set(points) == set(MAPS)
+    assert set(points) == set(VARIABLES)
     for name, point in points.items():
         axis = Axis("haze", 1.25, 4.0, map=name, point=point)
-        table = fast(Frame((axis,), ("one",), True, "monomial", None), np.array([[[0.5, 2.0]]]), np.array(2), 1, "float64")
+        table = fast(
+            specification((axis,), ("one",), True, "monomial", None), np.array([[[0.5, 2.0]]]), np.array(2), 1, "float64"
+        )
         values = np.array([1.25, 1.5, 2.0, 3.0, 4.0])
         got = one_weight(table, values, tmp_path)
         scaled = {
@@ -70,7 +72,7 @@ def test_bases_in_c_are_those_of_numpy(tmp_path: Path) -> None:
     }
     numbers = 3.0 ** -np.arange(9)
     for name, values in expected.items():
-        frame = Frame((Axis("haze", -1.0, 1.0),), ("one",), True, name, None)
+        frame = specification((Axis("haze", -1.0, 1.0),), ("one",), True, name, None)
         table = fast(frame, numbers[np.newaxis, np.newaxis], np.array(9), 1, "float64")
         got = one_weight(table, u, tmp_path)
         assert got == pytest.approx(values @ numbers, abs=1e-6), name
@@ -101,7 +103,7 @@ def added(folder: Path, weights: NDArray[np.floating], body: str) -> list[Array]
 
 
 def header_of_three_bands(folder: Path) -> Table:
-    frame = Frame((Axis("sun_zenith", 0.0, 1.0),), ("r", "g", "b"), True, "chebyshev", None)
+    frame = specification((Axis("sun_zenith", 0.0, 1.0),), ("r", "g", "b"), True, "chebyshev", None)
     table = fast(frame, np.ones((3, 6, 2)), np.array(2), 3, "float32")
     (folder / "skylight_sh.h").write_text(c_header.write(table, FACTS), encoding="utf-8")
     return table
@@ -158,7 +160,7 @@ def test_the_zonal_window_is_a_sinc_of_its_bands(tmp_path: Path, bands: int) -> 
 
 @pytest.mark.parametrize("dtype", ["float32", "float64"])
 def test_twilight_fades_as_its_formula_says(tmp_path: Path, dtype: str) -> None:
-    frame = Frame((Axis("sun_zenith", 0.0, float(np.pi / 2)),), ("one",), True, "chebyshev", None, twilight=True)
+    frame = specification((Axis("sun_zenith", 0.0, float(np.pi / 2)),), ("one",), True, "chebyshev", None, twilight=True)
     table = fast(frame, np.array([[[3.0]]]), np.array(1), 1, dtype)
     (tmp_path / "skylight_sh.h").write_text(c_header.write(table, FACTS), encoding="utf-8")
     depth = np.array([-1.0, -1e-3, 0.0, 1e-3, 0.03, 0.1, 0.15, 0.2, twilight.DEPTH])

@@ -13,8 +13,9 @@ from numpy.typing import NDArray
 from skylight_sh import runtime, sphere
 from skylight_sh.export import c_header, vectors
 from skylight_sh.fit.axis import Axis
+from skylight_sh.runtime import Table
 from skylight_sh.studies.stability.flavours import flavours
-from skylight_sh.table.table import Frame, Table, fast
+from skylight_sh.table.table import fast, specification
 
 Array = NDArray[np.float64]
 FLAVOURS = flavours()
@@ -208,7 +209,7 @@ def three_axes() -> Table:
     axes = (Axis("sun_zenith", 0.25, 1.5), Axis("haze", 1.0, 3.0, map="log", point=0.5), Axis("albedo", -1.0, 1.0))
     dense = rng.normal(size=(2, sphere.count(3, mirrored=True), 6, 4, 4))
     dense *= 2.0 ** -np.sum(np.indices(dense.shape[2:]), axis=0)
-    return fast(Frame(axes, ("a", "b"), True, "chebyshev", None), dense, np.full((4, 4), 6), 3, "float64")
+    return fast(specification(axes, ("a", "b"), True, "chebyshev", None), dense, np.full((4, 4), 6), 3, "float64")
 
 
 @pytest.mark.parametrize("name", ["rows", "packed", "float64", "surrounded", "three axes"])

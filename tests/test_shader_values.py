@@ -12,8 +12,8 @@ import shader_tools
 from skylight_sh import runtime, sphere
 from skylight_sh.export import shaders
 from skylight_sh.fit.axis import Axis
-from skylight_sh.fit.bases import BASES
-from skylight_sh.table.table import Frame, fast
+from skylight_sh.formula.bases import BASES
+from skylight_sh.table.table import fast, specification
 from test_shaders import MADE, Array, Floats, directions, drawn, lobe, tables
 
 TYPES = """
@@ -112,7 +112,7 @@ def test_bases_are_those_of_numpy(tmp_path: Path, name: str) -> None:
         "fourier": np.stack(waves[:9], axis=-1),
     }[name]
     numbers = 1.5 ** -np.arange(9)
-    frame = Frame((Axis("haze", -1.0, 1.0),), ("one",), True, name, None)
+    frame = specification((Axis("haze", -1.0, 1.0),), ("one",), True, name, None)
     table = fast(frame, numbers[np.newaxis, np.newaxis], np.array(9), 1, "float32")
     inputs = np.stack([u, np.zeros_like(u)], axis=-1).astype(np.float32)
     for language in HEADS:

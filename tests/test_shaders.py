@@ -14,13 +14,14 @@ from conftest import ROOT, SMALL, run_quietly
 from numpy.typing import NDArray
 from skylight_sh import runtime, sphere
 from skylight_sh.config import ConfigError, load, loading
-from skylight_sh.export import npz, shaders
+from skylight_sh.export import shaders
 from skylight_sh.export.shader_dialects import DIALECTS, GLSL, WGSL, expression
 from skylight_sh.fit.axis import Axis
 from skylight_sh.run.runner import Result
+from skylight_sh.runtime import Table
 from skylight_sh.studies.stability.flavours import flavours
 from skylight_sh.table.prefactor import Reciprocal
-from skylight_sh.table.table import Frame, Table, fast
+from skylight_sh.table.table import fast, specification
 
 Floats = NDArray[np.float32]
 Array = NDArray[np.float64]
@@ -44,7 +45,7 @@ def made(axes: int, channels: int, bands: int, mirrored: bool, basis: str, over:
     rng = np.random.default_rng(axes)
     degrees = (5, 3, 2)[:axes]
     numbers = np.array([2.0, 0.3, -0.1]).reshape(3, *(1,) * (axes - 1)).astype(np.float32)
-    frame = Frame(AXES[:axes], ("a", "b", "c")[:channels], mirrored, basis, Reciprocal(numbers) if over else None)
+    frame = specification(AXES[:axes], ("a", "b", "c")[:channels], mirrored, basis, Reciprocal(numbers) if over else None)
     dense = rng.normal(size=(channels, sphere.count(bands, mirrored=mirrored), *(d + 1 for d in degrees)))
     lengths = rng.integers(0, degrees[0] + 2, size=dense.shape[3:])
     lengths.flat[0] = 2
@@ -52,7 +53,7 @@ def made(axes: int, channels: int, bands: int, mirrored: bool, basis: str, over:
 
 
 def tables() -> dict[str, Table]:
-    known = {"preetham": npz.read(REFERENCE), "twilight": flavours()["twilight"]}
+    known = {"preetham": runtime.read(REFERENCE), "twilight": flavours()["twilight"]}
     return known | {name: made(*given) for name, given in MADE.items()}
 
 
@@ -126,7 +127,7 @@ def test_glslang_takes_every_flavour(tmp_path: Path, name: str) -> None:
 def test_what_cannot_become_a_shader_is_refused(small_run: Result) -> None:
     folders = {row["name"]: small_run.folder / row["path"] for row in small_run.summary["tables"]}
     for name, why in {"4-bands-1pct-packed": "layout is packed", "3-bands-degrees-6-4-float64": "float64"}.items():
-        table = npz.read(folders[name] / "skylight_sh.npz")
+        table = runtime.read(folders[name] / "skylight_sh.npz")
         with pytest.raises(ValueError, match=why):
             shaders.write(table, shader_tools.FACTS, "glsl")
     table = made(*MADE["one-band"])

@@ -15,7 +15,8 @@ from skylight_sh.light import spherical_lights
 from skylight_sh.probe.layouts import patches
 from skylight_sh.run import plan
 from skylight_sh.run.runner import steps
-from skylight_sh.table.surroundings import Surroundings, build, mask_bands
+from skylight_sh.runtime import Surroundings
+from skylight_sh.table.surroundings import build, mask_bands
 
 Array = NDArray[np.float64]
 TEXT = ONE_LAYOUT.replace("[0.05, 0.01]", "[0.01]").replace('["bands"]', '["surroundings"]')

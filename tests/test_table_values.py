@@ -10,11 +10,11 @@ from numpy.typing import NDArray
 from skylight_sh import runtime, sphere
 from skylight_sh.fit.axis import Axis
 from skylight_sh.light.preetham import Preetham
+from skylight_sh.runtime import Surroundings, Table
 from skylight_sh.table import bits, packed, prefactor, rows, surroundings, twilight
 from skylight_sh.table.prefactor import ClosedForm, Reciprocal
-from skylight_sh.table.row_layout import layout
-from skylight_sh.table.surroundings import Surroundings
-from skylight_sh.table.table import Frame, Table, carried, fast, small
+from skylight_sh.table.row_layout import carried, layout
+from skylight_sh.table.table import fast, small, specification
 
 Array = NDArray[np.float64]
 ZENITH = Axis("sun_zenith", 0.0, float(np.pi / 2), map="reciprocal", point=5.0)
@@ -24,7 +24,7 @@ HAZE = Axis("haze", 1.0, 3.0, map="log", point=0.5)
 def staircase(mirrored: bool = True, dtype: str = "float32", **scene: Any) -> Table:
     """Two channels, three bands, lengths 3, 2 and 0: five terms."""
     rng = np.random.default_rng(1)
-    frame = Frame((ZENITH, HAZE), ("a", "b"), mirrored, "chebyshev", None, **scene)
+    frame = specification((ZENITH, HAZE), ("a", "b"), mirrored, "chebyshev", None, **scene)
     dense = rng.normal(size=(2, sphere.count(3, mirrored=mirrored), 4, 3))
     return fast(frame, dense, np.array([3, 2, 0]), 3, dtype)
 
@@ -62,7 +62,7 @@ def test_diffuse_irradiance_has_no_odd_bands_but_the_first() -> None:
 
 def test_bands_that_carry_nothing_are_zero() -> None:
     table = fast(
-        Frame((ZENITH,), ("a",), True, "chebyshev", None, quantity="irradiance"),
+        specification((ZENITH,), ("a",), True, "chebyshev", None, quantity="irradiance"),
         np.ones((1, 10, 2)),
         np.array(2),
         4,
@@ -101,7 +101,7 @@ def test_sizes_are_those_of_every_number_read() -> None:
     assert surrounded.bytes_at(1) == surrounded.bytes
 
     found = Reciprocal(np.array([[2.0, 0.3], [0.4, 0.1]], dtype=np.float32))
-    frame = Frame((ZENITH, HAZE), ("a",), True, "chebyshev", found)
+    frame = specification((ZENITH, HAZE), ("a",), True, "chebyshev", found)
     numbers = np.zeros((6, 1, 3, 2), dtype=np.int64)
     numbers[:, 0, :2, 0] = np.arange(1, 13).reshape(6, 2)
     whole = small(frame, numbers, 0.5, (2, 1), 3)
@@ -137,7 +137,11 @@ def test_limits_leave_a_millionth() -> None:
     assert table.clamp(ends)[1].tolist() == [False, False]
     # A range narrower than 1 has the slack of 1.
     narrow = fast(
-        Frame((Axis("a", 0.0, 0.25),), ("one",), True, "chebyshev", None), np.ones((1, 1, 2)), np.array(2), 1, "float32"
+        specification((Axis("a", 0.0, 0.25),), ("one",), True, "chebyshev", None),
+        np.ones((1, 1, 2)),
+        np.array(2),
+        1,
+        "float32",
     )
     assert narrow.clamp(np.array([[0.25 + 0.9e-6], [0.25 + 1.1e-6], [-0.9e-6], [-1.1e-6]]))[1].tolist() == [
         False,

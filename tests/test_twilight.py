@@ -14,9 +14,9 @@ from conftest import ROOT, SMALL, run_quietly
 from skylight_sh import runtime
 from skylight_sh.config import ConfigError, parse
 from skylight_sh.export import day, engines, npz, solar
+from skylight_sh.runtime import Surroundings
 from skylight_sh.scene import clear_day
 from skylight_sh.table import twilight
-from skylight_sh.table.surroundings import Surroundings
 from test_cli import invoke
 
 TEXT = SMALL.read_text(encoding="utf-8")
@@ -61,7 +61,7 @@ def test_a_table_fades_its_horizon(tmp_path: Path) -> None:
 
 
 def test_lamps_shine_at_night() -> None:
-    table = npz.read(ROOT / "reports" / "reference" / "export" / "skylight_sh.npz")
+    table = runtime.read(ROOT / "reports" / "reference" / "export" / "skylight_sh.npz")
     lamps = np.arange(3.0 * table.bands**2).reshape(3, -1)
     lit = runtime.Runtime(dataclasses.replace(table, twilight=True, surroundings=Surroundings(own=lamps)))
     night = datetime(2024, 3, 20, tzinfo=UTC).date()
@@ -92,7 +92,7 @@ def test_twilight_begins_on_the_horizon(edit: tuple[str, str]) -> None:
 
 
 def test_a_day_goes_on_to_12_degrees(tmp_path: Path) -> None:
-    table = dataclasses.replace(npz.read(ROOT / "reports" / "reference" / "export" / "skylight_sh.npz"), twilight=True)
+    table = dataclasses.replace(runtime.read(ROOT / "reports" / "reference" / "export" / "skylight_sh.npz"), twilight=True)
     (tmp_path / "t.npz").write_bytes(npz.write(table))
     place = ("--latitude", "48.2", "--longitude", "16.4", "--date", "2024-03-20", "--turbidity", "3", "--step", "10")
     code, out, err = invoke(

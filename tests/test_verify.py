@@ -12,13 +12,14 @@ import numpy as np
 import pytest
 from click.testing import CliRunner
 from conftest import SMALL
+from skylight_sh import runtime
 from skylight_sh.cli import main
 from skylight_sh.config import load
-from skylight_sh.export import npz
 from skylight_sh.run.provenance import whole_settings
 from skylight_sh.run.runner import Result
 from skylight_sh.run.verify import differences, released_config
-from skylight_sh.table.rows import Rows
+from skylight_sh.runtime import Rows
+from skylight_sh.table import npz
 
 
 @pytest.fixture
@@ -103,7 +104,7 @@ def test_a_release_tells_its_config(released: Path) -> None:
 
 def test_arrays_are_compared_as_numbers(small_run: Result) -> None:
     data = (small_run.folder / "export" / "skylight_sh.npz").read_bytes()
-    table = npz.read(io.BytesIO(data))
+    table = runtime.read(io.BytesIO(data))
     assert isinstance(table.body, Rows)
     rows = table.body.rows.copy()
     rows[2, 3] = np.float32(1.5) * rows[2, 3]

@@ -8,10 +8,8 @@ rounded far above the noise and far below what matters; and what is measured of 
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from decimal import Context, Decimal
 from functools import lru_cache
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -19,8 +17,6 @@ from numpy.typing import ArrayLike, NDArray
 Array = NDArray[np.float64]
 
 _EXACT = Context(prec=40)
-# Rows of a product that are summed at once: they stay in a first-level cache.
-_ROWS = 128
 
 
 def significant(values: ArrayLike, bits: int) -> Array:
@@ -44,32 +40,6 @@ def to_grid(values: Array, bits: int) -> Array:
         return values
     step = int(np.frexp(largest)[1]) - 1 - bits
     return np.asarray(np.ldexp(np.rint(np.ldexp(values, -step)), step))
-
-
-def product(left: NDArray[np.floating], right: NDArray[np.floating]) -> NDArray[np.floating]:
-    """Return ``left @ right`` of shapes ``(n, terms)`` and ``(terms, m)``, every sum term by term from the first.
-
-    A row's bits depend on that row alone, not on its neighbours; a library's matrix product promises neither. Works in
-    the common dtype.
-    """
-    out = np.zeros((left.shape[0], right.shape[1]), dtype=np.result_type(left, right))
-    for start in range(0, len(left), _ROWS):
-        rows = slice(start, start + _ROWS)
-        total, columns = out[rows], np.ascontiguousarray(left[rows].T)
-        term = np.empty_like(total)
-        for column, row in zip(columns, right, strict=True):
-            np.multiply(column[:, np.newaxis], row, out=term)
-            total += term
-    return out
-
-
-def in_double(function: Callable[[Any], Any], values: NDArray[np.floating]) -> NDArray[np.floating]:
-    """Return an elementary ``function`` of ``values`` in their dtype, computed in double precision.
-
-    Libraries' single-precision functions differ in the last bit between processors; a double result, rounded, does not.
-    """
-    wide = np.asarray(values, dtype=np.float64, order="C")
-    return np.asarray(function(wide), dtype=values.dtype)
 
 
 @lru_cache(maxsize=256)

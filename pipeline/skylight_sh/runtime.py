@@ -1,25 +1,486 @@
-"""Evaluate an exported table: ``load("skylight_sh.npz").weights(sun_zenith, sun_azimuth, turbidity)``. Needs NumPy only."""
+"""Evaluate an exported table: ``load("skylight_sh.npz").weights(sun_zenith, sun_azimuth, turbidity)``.
+
+This one file needs NumPy and nothing else: it may be copied into any project. What a table's formulas are (changes of
+variable, basis, prefactor) travels in the file as programs, lists of arithmetic steps, so that a table of tomorrow needs
+no other reader. Weights are those of real orthonormal spherical harmonics without the Condon-Shortley sign, z up, flat
+index l*(l+1)+m, m > 0 cosine, m < 0 sine; angles are radians.
+"""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import json
+import math
+import zipfile
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, fields
+from functools import cached_property, partial
 from pathlib import Path
+from typing import Any, BinaryIO
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from skylight_sh import sphere
-from skylight_sh.export import npz
-from skylight_sh.table.table import Table, full_weights
-
 Array = NDArray[np.float64]
+Floats = NDArray[np.floating]
+Index = NDArray[np.int64]
 
+# 4: formulas as programs, one specification; what is added later has a default, so that 4 stays readable.
+FORMAT = 4
 OK, CLAMPED, INVALID = 0, 1, 2
+# Beyond this share of the range (or of 1, if that is more) an input counts as outside: float32 pi/2 exceeds pi/2.
+SLACK = 1e-6
+_SETS_AT_ONCE = 2048
+# Rows of a product that are summed at once: they stay in a first-level cache.
+_ROWS_AT_ONCE = 128
+_MOST_STEPS = 100_000
+_FIELD = 5
 
 
-def load(path: str | Path) -> Runtime:
-    """Load a table from an exported NPZ. Raises ValueError where the file is not one."""
-    return Runtime(npz.read(path))
+def load(path: str | Path | BinaryIO) -> Runtime:
+    """Load a table from an exported NPZ. Raises ValueError where the file is not one, or one of a later version."""
+    return Runtime(read(path))
+
+
+def in_double(function: Callable[[Any], Any], values: Floats) -> Floats:
+    """Return an elementary ``function`` of ``values`` in their dtype, computed in double precision.
+
+    Libraries' single-precision functions differ in the last bit between processors; a double result, rounded, does not.
+    """
+    wide = np.asarray(values, dtype=np.float64, order="C")
+    return np.asarray(function(wide), dtype=np.asarray(values).dtype)
+
+
+def product(left: Floats, right: Floats) -> Floats:
+    """Return ``left @ right`` of shapes ``(n, terms)`` and ``(terms, m)``, every sum term by term from the first.
+
+    A row's bits depend on that row alone, not on its neighbours; a library's matrix product promises neither. Works in
+    the common dtype.
+    """
+    out = np.zeros((left.shape[0], right.shape[1]), dtype=np.result_type(left, right))
+    for start in range(0, len(left), _ROWS_AT_ONCE):
+        rows = slice(start, start + _ROWS_AT_ONCE)
+        total, columns = out[rows], np.ascontiguousarray(left[rows].T)
+        term = np.empty_like(total)
+        for column, row in zip(columns, right, strict=True):
+            np.multiply(column[:, np.newaxis], row, out=term)
+            total += term
+    return out
+
+
+def flat_places(bands: int, *, mirrored: bool) -> Index:
+    """Return the flat index of every stored weight: all N*N, or those of order m >= 0 where ``mirrored``."""
+    return np.array([l * (l + 1) + m for l in range(bands) for m in range(0 if mirrored else -l, l + 1)])
+
+
+def rotate_azimuth(weights: Floats, azimuth: Floats) -> Floats:
+    """Turn weights ``(..., N*N)`` by ``azimuth`` ``(...)`` radians about +z, +x towards +y (Habel et al. 2008, eq. 4)."""
+    bands = math.isqrt(weights.shape[-1])
+    orders = np.concatenate([np.arange(-l, l + 1) for l in range(bands)])
+    partner = np.arange(bands * bands) - 2 * orders
+    angle = np.abs(orders) * np.asarray(azimuth, dtype=np.float64)[..., np.newaxis]
+    cosine = np.cos(angle).astype(weights.dtype)
+    sine = (np.sign(orders) * np.sin(angle)).astype(weights.dtype)
+    return np.asarray(weights * cosine - weights[..., partner] * sine)
+
+
+def zonal_sinc(bands: int) -> Array:
+    """Return the factors ``(N*N,)`` of the zonal window ``sinc(pi l / N)``, m = 0 alone (Habel et al. 2008, eq. 5)."""
+    factors = np.ones(bands * bands)
+    l = np.arange(bands)
+    factors[l * (l + 1)] = np.sinc(l / bands)
+    return factors
+
+
+FUNCTIONS: Mapping[str, Callable[[Any], Any]] = {
+    name: partial(in_double, function)
+    for name, function in {
+        "log": np.log,
+        "exp": np.exp,
+        "sin": np.sin,
+        "cos": np.cos,
+        "sqrt": np.sqrt,
+        "cbrt": np.cbrt,
+    }.items()
+}
+_OPERATORS: Mapping[str, Callable[[Any, Any], Any]] = {
+    "+": lambda a, b: a + b,
+    "-": lambda a, b: a - b,
+    "*": lambda a, b: a * b,
+    "/": lambda a, b: a / b,
+}
+
+
+@dataclass(frozen=True)
+class Program:
+    """A formula as a list of steps, each using earlier ones alone.
+
+    A step is ``("number", value)``, ``("constant", place)``, ``("input", place)``, ``("negative", step)``, an operator with
+    two steps or a function's name with one; ``outputs`` are the steps asked for, ``labels`` steps' names for people.
+    """
+
+    inputs: tuple[str, ...]
+    constants: tuple[float, ...]
+    steps: tuple[tuple[str | int | float, ...], ...]
+    outputs: tuple[int, ...]
+    labels: tuple[tuple[int, str], ...] = ()
+
+    @property
+    def literals(self) -> int:
+        """How many numbers stand in the formula itself, beside its constants."""
+        return sum(step[0] == "number" for step in self.steps)
+
+    def run(self, values: Sequence[ArrayLike]) -> list[Floats]:
+        """Return the outputs at ``values``, one array an input that broadcast, in their dtype."""
+        arrays = [np.asarray(value) for value in values]
+        real = np.result_type(*arrays, np.float32)
+        done: list[Any] = []
+        for operation, *arguments in self.steps:
+            if operation == "number":
+                done.append(real.type(arguments[0]))
+            elif operation == "input":
+                done.append(arrays[int(arguments[0])])
+            elif operation == "constant":
+                done.append(real.type(self.constants[int(arguments[0])]))
+            elif operation == "negative":
+                done.append(-done[int(arguments[0])])
+            elif operation in FUNCTIONS:
+                done.append(FUNCTIONS[str(operation)](done[int(arguments[0])]))
+            else:
+                done.append(_OPERATORS[str(operation)](*(done[int(place)] for place in arguments)))
+        return [done[place] for place in self.outputs]
+
+    def check(self, name: str, inputs: int, outputs: int | None = None) -> None:
+        """Raise ValueError where the program is no formula of so many inputs and outputs."""
+        sizes = {"number": 1, "input": 1, "constant": 1, "negative": 1, **dict.fromkeys(FUNCTIONS, 1)}
+        sizes |= dict.fromkeys(_OPERATORS, 2)
+        if len(self.steps) > _MOST_STEPS or len(self.inputs) != inputs or not all(map(math.isfinite, self.constants)):
+            raise ValueError(
+                f"{name} has {len(self.steps)} steps, the inputs {self.inputs}, or constants that are not finite"
+            )
+        limits = {"input": inputs, "constant": len(self.constants)}
+        for place, (operation, *arguments) in enumerate(self.steps):
+            if len(arguments) != sizes.get(str(operation), -1):
+                raise ValueError(f"{name} has the unknown step {(operation, *arguments)}: a newer version wrote it")
+            if operation == "number":
+                sound = isinstance(arguments[0], int | float) and math.isfinite(arguments[0])
+            else:
+                sound = all(type(a) is int and 0 <= a < limits.get(str(operation), place) for a in arguments)
+            if not sound:
+                raise ValueError(f"{name} has the impossible step {(operation, *arguments)}")
+        if not all(0 <= place < len(self.steps) for place in self.outputs) or outputs not in (None, len(self.outputs)):
+            raise ValueError(f"{name} has the impossible outputs {self.outputs}")
+
+
+@dataclass(frozen=True)
+class Axis:
+    """An input ``name`` over ``[low, high]`` in ``unit``; ``variable`` is the program of its change of variable.
+
+    ``map`` and ``point`` name the change of variable for people.
+    """
+
+    name: str
+    low: float
+    high: float
+    unit: str
+    map: str
+    point: float
+    variable: Program
+
+
+@dataclass(frozen=True)
+class Scale:
+    """What all weights are multiplied with: ``program`` of the axes' values, ``name`` and ``fixed`` parameters for people.
+
+    ``kind`` is ``closed form``, a light's prefactor, or ``reciprocal``, 1 over a polynomial found in samples.
+    """
+
+    kind: str
+    name: str
+    program: Program
+    fixed: tuple[tuple[str, float], ...] = ()
+
+
+@dataclass(frozen=True)
+class Twilight:
+    """How the light of a sun on the horizon fades as it sinks: ``program`` of its depth, 0 to 1 over ``depth`` radians."""
+
+    depth: float
+    program: Program
+
+
+@dataclass(frozen=True)
+class Specification:
+    """What a table is but its coefficients: all that an evaluation and its reader must know.
+
+    Weights are those of order m >= 0 where ``mirrored``, else all N*N. ``quantity`` is ``radiance`` or ``irradiance``;
+    ``windowed`` says that the window of eq. 5 is in the weights; ``azimuth`` is the sun's where it is no input (radians);
+    ``ground`` is ``black``, ``mirror`` or one albedo a channel; ``sun_disc`` says that the sun's disc is in the weights;
+    ``peak_axis`` names the axis that is the zenith angle of the light's peak, which ``twilight`` extends.
+    """
+
+    axes: tuple[Axis, ...]
+    channels: tuple[str, ...]
+    mirrored: bool
+    basis: str
+    scale: Scale | None = None
+    quantity: str = "radiance"
+    windowed: bool = False
+    azimuth: float | None = None
+    ground: str | tuple[float, ...] = "black"
+    sun_disc: bool = False
+    peak_axis: str | None = None
+    twilight: Twilight | None = None
+
+
+@dataclass(frozen=True)
+class Rows:
+    """A body laid out for speed: a row of coefficients ``(terms, width)`` for each kept term.
+
+    ``lengths`` ``(rest,)``: terms of the first axis for each product of the others' functions, last axis fastest;
+    ``columns`` ``(channels, count)``: each weight's column, or -1.
+    """
+
+    lengths: NDArray[np.uint8]
+    rows: Floats
+    columns: NDArray[np.int16]
+
+    @property
+    def kind(self) -> str:
+        """Name of this layout."""
+        return "rows"
+
+    @property
+    def dtype(self) -> np.dtype[np.floating]:
+        """Number type of coefficients and arithmetic."""
+        return self.rows.dtype
+
+
+@dataclass(frozen=True)
+class Packed:
+    """A body in few bytes: a coefficient is ``step`` times a whole number of ``stream``, Rice codes that ``unpack`` reads.
+
+    ``first`` is the longest run of the first axis; the profiles are small whole numbers, one a product of the other axes'
+    functions and one a channel.
+    """
+
+    stream: bytes
+    first: int
+    rest_profile: Index
+    channel_profile: Index
+    step: float
+
+    @property
+    def kind(self) -> str:
+        """Name of this layout."""
+        return "packed"
+
+    @property
+    def dtype(self) -> np.dtype[np.floating]:
+        """Number type of the arithmetic."""
+        return np.dtype(np.float32)
+
+
+_NONE: Array = np.zeros(0)
+
+
+@dataclass(frozen=True)
+class Surroundings:
+    """What a scene does to the weights once the sun is turned.
+
+    ``weights -> transfer @ weights + own``, then ``+ below * weights[l = 1, m = 0]``. ``transfer`` is ``(N*N, N*N)``,
+    ``own`` and ``below`` ``(channels, N*N)``; each of size 0 where it does nothing.
+    """
+
+    transfer: Array = field(default_factory=lambda: _NONE)
+    own: Array = field(default_factory=lambda: _NONE)
+    below: Array = field(default_factory=lambda: _NONE)
+
+    def apply(self, weights: Floats, bands: int) -> Floats:
+        """Return the first ``bands`` bands of the scene, ``(..., channels, M*M)``, from all ``(..., channels, N*N)``."""
+        real, out = weights.dtype, weights
+        if self.transfer.size:
+            flat = product(weights.reshape(-1, weights.shape[-1]), self.transfer.T.astype(real))
+            out = flat.reshape(*weights.shape[:-1], -1)
+        if self.own.size:
+            out = out + self.own.astype(real)
+        if self.below.size:
+            out = out + self.below.astype(real) * out[..., 2:3]
+        return out[..., : bands * bands]
+
+
+@dataclass(frozen=True)
+class Table:
+    """A table: its ``spec``, its number of ``bands``, the program of each axis's functions, and its coefficients.
+
+    ``terms`` have the axis's variable as their input and functions 0, 1, .. as outputs. ``provenance`` is JSON-like and says
+    where the table comes from.
+    """
+
+    spec: Specification
+    bands: int
+    terms: tuple[Program, ...]
+    body: Rows | Packed
+    surroundings: Surroundings | None = None
+    provenance: Mapping[str, object] = field(default_factory=dict)
+
+    @property
+    def axes(self) -> tuple[Axis, ...]:
+        """The inputs but the azimuth."""
+        return self.spec.axes
+
+    @property
+    def channels(self) -> tuple[str, ...]:
+        """Names of the channels."""
+        return self.spec.channels
+
+    @property
+    def dtype(self) -> np.dtype[np.floating]:
+        """Number type of the arithmetic."""
+        return self.body.dtype
+
+    @property
+    def degrees(self) -> tuple[int, ...]:
+        """The largest degree of each axis."""
+        return tuple(len(program.outputs) - 1 for program in self.terms)
+
+    @cached_property
+    def places(self) -> Index:
+        """The flat index of every stored weight, ``(count,)``."""
+        return flat_places(self.bands, mirrored=self.spec.mirrored)
+
+    @cached_property
+    def _matrix(self) -> tuple[Index, Floats]:
+        """Places of the kept terms among all products, and their coefficients ``(terms, channels * count)``."""
+        rest = math.prod(degree + 1 for degree in self.degrees[1:])
+        if isinstance(self.body, Packed):
+            numbers = unpack(self.body, self.places)
+            values = numbers.astype(self.dtype) * self.dtype.type(self.body.step)
+            flat = values.transpose(2, 3, 1, 0).reshape(values.shape[2] * values.shape[3], -1)
+            # The last products of functions may be missing where nothing keeps them.
+            places = np.arange(values.shape[2])[:, np.newaxis] * rest + np.arange(values.shape[3])
+            return places.ravel(), np.ascontiguousarray(flat)
+        columns = self.body.columns.ravel()
+        matrix = self.body.rows[:, columns] * (columns >= 0)
+        return kept_terms(self.body.lengths), np.ascontiguousarray(matrix.astype(self.dtype))
+
+    def evaluate(self, values: Array) -> Floats:
+        """Return the stored weights at parameter sets ``(n, axes)``, azimuth 0: ``(n, channels, count)``.
+
+        Works in the table's dtype throughout, terms summed in their order, so that a set's bits depend on nothing but the
+        set. Values must lie in the axes' ranges.
+        """
+        places, matrix = self._matrix
+        out = np.empty((len(values), len(self.channels), self.places.size), dtype=self.dtype)
+        for start in range(0, len(values), _SETS_AT_ONCE):
+            part = values[start : start + _SETS_AT_ONCE].astype(self.dtype)
+            # A column of its own: libraries' functions may treat numbers that do not lie side by side otherwise.
+            columns = [np.ascontiguousarray(part[:, i]) for i in range(part.shape[1])]
+            terms = np.ones((len(part), 1), dtype=self.dtype)
+            for axis, program, column in zip(self.axes, self.terms, columns, strict=True):
+                functions = np.ones((len(part), len(program.outputs)), dtype=self.dtype)
+                for k, found in enumerate(program.run(axis.variable.run([column]))):
+                    functions[:, k] = found
+                terms = (terms[:, :, np.newaxis] * functions[:, np.newaxis, :]).reshape(len(part), -1)
+            terms = terms[:, places]
+            if self.spec.scale:
+                terms = terms * np.broadcast_to(self.spec.scale.program.run(columns)[0], len(part))[:, np.newaxis]
+            out[start : start + _SETS_AT_ONCE] = product(terms, matrix).reshape(len(part), *out.shape[1:])
+        return out
+
+    def whole(self, stored: Floats, bands: int | None = None) -> Floats:
+        """Spread stored weights ``(..., count)`` over all N*N of the first ``bands`` bands, ``(..., bands**2)``."""
+        bands = self.bands if bands is None else bands
+        kept = self.places < bands * bands
+        full = np.zeros((*stored.shape[:-1], bands * bands), dtype=stored.dtype)
+        full[..., self.places[kept]] = stored[..., kept]
+        return full
+
+    @property
+    def ranges(self) -> list[tuple[float, float]]:
+        """Least and largest value of each input: its axis's range, which twilight extends."""
+        sinking, twilight = self._sinking, self.spec.twilight
+        return [
+            (axis.low, axis.high + twilight.depth if twilight and i == sinking else axis.high)
+            for i, axis in enumerate(self.axes)
+        ]
+
+    def fade(self, values: Array) -> Array:
+        """Return what twilight multiplies weights with at inputs ``(n, axes)``, not clamped, ``(n,)``: ones without one."""
+        twilight, sinking = self.spec.twilight, self._sinking
+        if not twilight or sinking is None:
+            return np.ones(len(values))
+        depth = np.clip((values[:, sinking] - self.axes[sinking].high) / twilight.depth, 0.0, 1.0)
+        return np.asarray(twilight.program.run([depth])[0], dtype=np.float64)
+
+    @property
+    def _sinking(self) -> int | None:
+        names = [axis.name for axis in self.axes]
+        return names.index(self.spec.peak_axis) if self.spec.twilight and self.spec.peak_axis in names else None
+
+    def clamp(self, values: Array) -> tuple[Array, NDArray[np.bool_]]:
+        """Clamp ``(n, axes)`` to the ranges; the second result marks sets with a value beyond the slack."""
+        first, last = self.limits
+        outside = np.any((values < first) | (values > last), axis=-1)
+        return np.clip(values, [axis.low for axis in self.axes], [axis.high for axis in self.axes]), outside
+
+    @property
+    def limits(self) -> tuple[Array, Array]:
+        """Least and largest value of each input that counts as inside."""
+        low, high = np.transpose(self.ranges)
+        slack = SLACK * np.maximum(high - low, 1.0)
+        return low - slack, high + slack
+
+
+def kept_terms(lengths: NDArray[np.integer]) -> Index:
+    """Return the kept terms' places in a dense ``(first, rest)`` array, in the order of ``Rows``: ``(terms,)``."""
+    return np.concatenate([np.arange(int(n)) * lengths.size + r for r, n in enumerate(lengths)]).astype(np.int64)
+
+
+class BitReader:
+    """Reads whole numbers from bytes, low bit of each byte first. Raises IndexError beyond the end."""
+
+    def __init__(self, data: bytes) -> None:
+        self._bits = np.unpackbits(np.frombuffer(data, dtype=np.uint8), bitorder="little").tolist()
+        self._at = 0
+
+    def fixed(self, width: int) -> int:
+        """Read ``width`` bits as a number of at least 0."""
+        start, self._at = self._at, self._at + width
+        if self._at > len(self._bits):
+            raise IndexError("The bits of a packed table end early.")
+        return sum(bit << i for i, bit in enumerate(self._bits[start : self._at]))
+
+    def rice(self, low_bits: int) -> int:
+        """Read a signed number: its folded high part as that many ones and a zero, then ``low_bits`` low bits."""
+        high = 0
+        while self._bits[self._at]:
+            high += 1
+            self._at += 1
+        self._at += 1
+        folded = (high << low_bits) | self.fixed(low_bits)
+        return -(folded + 1) // 2 if folded & 1 else folded // 2
+
+
+def unpack(packed: Packed, places: Index) -> Index:
+    """Return the whole numbers ``(count, channels, first, rest)`` of the stored weights at flat ``places`` ``(count,)``.
+
+    ``places`` may be those of fewer bands than the stream holds. The format is described in ``table/packed.py``.
+    """
+    reader = BitReader(packed.stream)
+    numbers = np.zeros((places.size, packed.channel_profile.size, packed.first, packed.rest_profile.size), dtype=np.int64)
+    lengths = np.zeros((packed.channel_profile.size, packed.rest_profile.size), dtype=np.int64)
+    profile: list[int] = []
+    band = -1
+    for w, place in enumerate(places.tolist()):
+        if math.isqrt(place) != band:
+            band = math.isqrt(place)
+            profile = [reader.fixed(_FIELD) for _ in range(reader.fixed(_FIELD))]
+        for channel, rest in np.ndindex(*lengths.shape):
+            lengths[channel, rest] += reader.rice(0)
+            level = int(packed.rest_profile[rest]) + int(packed.channel_profile[channel])
+            for i in range(int(lengths[channel, rest])):
+                numbers[w, channel, i, rest] = reader.rice(max(profile[i] + level, 0) >> 1)
+    return numbers
 
 
 @dataclass(frozen=True)
@@ -32,12 +493,10 @@ class Runtime:
     def inputs(self) -> tuple[str, ...]:
         """Names of the inputs in order: the first axis, ``sun_azimuth`` unless the table fixes it, the other axes."""
         first, *rest = (axis.name for axis in self.table.axes)
-        azimuth = ("sun_azimuth",) if self.table.azimuth is None else ()
+        azimuth = ("sun_azimuth",) if self.table.spec.azimuth is None else ()
         return (first, *azimuth, *rest)
 
-    def weights(
-        self, *values: ArrayLike, bands: int | None = None, window: bool = False, **named: ArrayLike
-    ) -> NDArray[np.floating]:
+    def weights(self, *values: ArrayLike, bands: int | None = None, window: bool = False, **named: ArrayLike) -> Floats:
         """Return SH weights ``(..., channels, N*N)`` for inputs that broadcast to ``(...)``, angles in radians.
 
         Inputs come in the order of ``inputs`` or by name. Out-of-range inputs are clamped, a NaN (or an infinite
@@ -46,37 +505,36 @@ class Runtime:
         """
         return self.weights_and_status(*values, bands=bands, window=window, **named)[0]
 
-    def status(self, *values: ArrayLike, **named: ArrayLike) -> NDArray[np.int64]:
+    def status(self, *values: ArrayLike, **named: ArrayLike) -> Index:
         """Return, for each set of inputs, what the C header returns: 0, 1 where clamped, 2 where invalid."""
         columns = self._columns(values, named)
         return self._check(columns.reshape(-1, columns.shape[-1]))[3].reshape(columns.shape[:-1])
 
     def weights_and_status(
         self, *values: ArrayLike, bands: int | None = None, window: bool = False, **named: ArrayLike
-    ) -> tuple[NDArray[np.floating], NDArray[np.int64]]:
+    ) -> tuple[Floats, Index]:
         """Return ``weights`` and ``status`` of one evaluation."""
         table = self.table
         bands = table.bands if bands is None else bands
         if not 1 <= bands <= table.bands:
             raise ValueError(f"Invalid bands {bands}. Should be 1 to {table.bands}, the bands of this table.")
+        if window and table.spec.windowed:
+            raise ValueError("The window is in the weights of this table already. Leave window=False.")
         inputs = self._columns(values, named)
         shape = inputs.shape[:-1]
         clamped, fade, azimuth, status = self._check(inputs.reshape(-1, inputs.shape[-1]))
         # What surrounds the sky carries light from band to band.
-        full = full_weights(table, table.evaluate(clamped), table.bands if table.surroundings else bands)
-        if table.twilight:
+        full = table.whole(table.evaluate(clamped), table.bands if table.surroundings else bands)
+        if table.spec.twilight:
             full = full * fade.astype(full.dtype)[:, np.newaxis, np.newaxis]
-        out = sphere.rotate_azimuth(full, azimuth[:, np.newaxis])
+        out = rotate_azimuth(full, azimuth[:, np.newaxis])
         if table.surroundings:
             out = table.surroundings.apply(out, bands)
-        if window and table.windowed:
-            raise ValueError("The window is in the weights of this table already. Leave window=False.")
         if window:
-            out = out * sphere.zonal_sinc(bands).astype(out.dtype)
-        if table.windowed and bands < table.bands:
+            out = out * zonal_sinc(bands).astype(out.dtype)
+        if table.spec.windowed and bands < table.bands:
             # The window follows the number of bands.
-            whole = sphere.zonal_sinc(table.bands)[: bands * bands]
-            out = out * (sphere.zonal_sinc(bands) / whole).astype(out.dtype)
+            out = out * (zonal_sinc(bands) / zonal_sinc(table.bands)[: bands * bands]).astype(out.dtype)
         out[status == INVALID] = 0.0
         return out.reshape(*shape, len(table.channels), bands * bands), status.reshape(shape)
 
@@ -85,14 +543,14 @@ class Runtime:
         inputs = np.broadcast_arrays(*(np.asarray(v, dtype=np.float64) for v in self._bind(values, named)))
         return np.stack(inputs, axis=-1)
 
-    def _check(self, columns: Array) -> tuple[Array, Array, Array, NDArray[np.int64]]:
+    def _check(self, columns: Array) -> tuple[Array, Array, Array, Index]:
         """Return axis values inside their ranges ``(n, axes)``, twilight's factors, azimuths and status ``(n,)``."""
-        place = 1 if self.table.azimuth is None else None
-        azimuth = np.full(len(columns), self.table.azimuth) if place is None else columns[:, place]
+        turned = self.table.spec.azimuth
+        azimuth = columns[:, 1] if turned is None else np.full(len(columns), turned)
         invalid = np.isnan(columns).any(axis=1) | np.isinf(azimuth.astype(np.float64))
         columns = np.where(invalid[:, np.newaxis], 0.0, columns)
         azimuth = np.where(invalid, 0.0, azimuth)
-        values = columns if place is None else np.delete(columns, place, axis=1)
+        values = np.delete(columns, 1, axis=1) if turned is None else columns
         clamped, outside = self.table.clamp(values)
         return clamped, self.table.fade(values), azimuth, np.where(invalid, INVALID, np.where(outside, CLAMPED, OK))
 
@@ -102,3 +560,98 @@ class Runtime:
         if len(values) > len(names) or len(given) < len(values) + len(named) or set(given) != set(names):
             raise TypeError(f"weights() takes exactly the inputs {', '.join(names)}, by position or by name.")
         return [given[name] for name in names]
+
+
+def read(path: str | Path | BinaryIO) -> Table:
+    """Read a table from an exported NPZ and check it. Raises ValueError where the file is not one, or of a later version."""
+    try:
+        # NumPy takes anything that is no archive for a pickle, and would advise to trust it.
+        if not zipfile.is_zipfile(path):
+            raise ValueError("it is no archive")
+        with np.load(path, allow_pickle=False) as archive:
+            header = json.loads(str(archive["header"]))
+            if header.get("format") != FORMAT:
+                raise ValueError(f"its format is {header.get('format')!r}, this version reads {FORMAT}: run the fit again")
+            table = _decoded(header["table"], archive)
+        if not isinstance(table, Table):
+            raise ValueError(f"it holds a {type(table).__name__}")
+        for wrong in _wrong(table):
+            raise ValueError(wrong)
+    except (OSError, LookupError, AttributeError, TypeError, ValueError, EOFError, zipfile.BadZipFile) as error:
+        raise ValueError(f"{path} is no table of this pipeline ({error}). Give the .npz that a run exported.") from error
+    return table
+
+
+# What a file may hold, by the name that stands in it under "is".
+KINDS: Mapping[str, Any] = {
+    kind.__name__: kind for kind in (Table, Specification, Axis, Program, Scale, Twilight, Rows, Packed, Surroundings)
+}
+
+
+def _decoded(value: Any, arrays: Mapping[str, NDArray[Any]]) -> Any:
+    """Return what ``table/npz.py`` has encoded; fields that a file lacks have their defaults, unknown ones are refused."""
+    if isinstance(value, list):
+        return tuple(_decoded(part, arrays) for part in value)
+    if not isinstance(value, dict):
+        return value
+    if "array" in value:
+        return arrays[value["array"]]
+    if "bytes" in value:
+        return arrays[value["bytes"]].astype(np.uint8).tobytes()
+    if "json" in value:
+        return value["json"]
+    kind = KINDS[value["is"]]
+    known = {f.name for f in fields(kind)}
+    unknown = sorted(set(value) - known - {"is"})
+    if unknown:
+        raise ValueError(f"its {value['is']} has {', '.join(unknown)}: a newer version wrote it")
+    return kind(**{name: _decoded(part, arrays) for name, part in value.items() if name != "is"})
+
+
+def _wrong(table: Table) -> Iterator[str]:
+    """Yield what makes no sense in a table that was read."""
+    spec, body, bands = table.spec, table.body, table.bands
+    channels = len(spec.channels)
+    if type(bands) is not int or not 1 <= bands <= 64 or not spec.axes or not channels:
+        yield f"it has {bands!r} bands, {len(spec.axes)} axes and {channels} channels"
+    if len(table.terms) != len(spec.axes):
+        yield f"it has {len(table.terms)} lists of functions for {len(spec.axes)} axes"
+    for axis, terms in zip(spec.axes, table.terms, strict=True):
+        if not (math.isfinite(axis.low) and math.isfinite(axis.high) and axis.low <= axis.high):
+            yield f"its axis {axis.name} has the range [{axis.low}, {axis.high}]"
+        axis.variable.check(f"its axis {axis.name}", 1, 1)
+        terms.check(f"its axis {axis.name}", 1)
+    if spec.scale:
+        spec.scale.program.check("its prefactor", len(spec.axes), 1)
+    if spec.twilight:
+        spec.twilight.program.check("its twilight", 1, 1)
+    yield from _wrong_rows(table, body) if isinstance(body, Rows) else _wrong_stream(table, body)
+    if table.surroundings:
+        around = table.surroundings
+        shapes = {"transfer": (bands**2, bands**2), "own": (channels, bands**2), "below": (channels, bands**2)}
+        for name, shape in shapes.items():
+            if getattr(around, name).size and getattr(around, name).shape != shape:
+                yield f"its surroundings' {name} has the shape {getattr(around, name).shape}, not {shape}"
+
+
+def _wrong_rows(table: Table, body: Rows) -> Iterator[str]:
+    count, rest = table.places.size, math.prod(degree + 1 for degree in table.degrees[1:])
+    width = body.rows.shape[1] if body.rows.ndim == 2 else 0
+    if body.rows.shape != (int(body.lengths.sum()), width) or body.lengths.size != rest:
+        yield f"its rows have the shape {body.rows.shape}, its lengths {body.lengths.tolist()}"
+    if body.lengths.size and int(body.lengths.max()) > table.degrees[0] + 1:
+        yield f"its lengths are {body.lengths.tolist()} for {table.degrees[0] + 1} functions"
+    if body.columns.shape != (len(table.channels), count) or body.columns.min() < -1 or body.columns.max() >= width:
+        yield f"its columns have the shape {body.columns.shape}, or lead beyond {width}"
+    if body.rows.dtype not in (np.float32, np.float64) or not np.isfinite(body.rows).all():
+        yield f"its rows are {body.rows.dtype}, or not finite"
+
+
+def _wrong_stream(table: Table, body: Packed) -> Iterator[str]:
+    rest = math.prod(degree + 1 for degree in table.degrees[1:])
+    if body.channel_profile.size != len(table.channels) or not 1 <= body.rest_profile.size <= rest:
+        yield f"its profiles have {body.channel_profile.size} channels and {body.rest_profile.size} products"
+    if not 1 <= body.first <= table.degrees[0] + 1 or not math.isfinite(body.step):
+        yield f"its runs have {body.first} terms of {table.degrees[0] + 1}, its step is {body.step}"
+    # Decoded once: a stream that ends early raises.
+    unpack(body, table.places)

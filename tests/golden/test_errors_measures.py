@@ -10,7 +10,7 @@ from skylight_sh.fit import errors, least_squares
 from skylight_sh.fit.axis import Axis
 from skylight_sh.fit.minimax import Sampled
 from skylight_sh.table.errors import headline, least_reconstructed, measure
-from skylight_sh.table.table import Frame, whole
+from skylight_sh.table.table import specification, whole
 
 from golden.oracles import hemisphere
 
@@ -51,7 +51,7 @@ def test_conventions_of_l_min() -> None:
 def test_a_constant_tables_figures() -> None:
     """A table that says 1, 0, 0.6, 0.8 everywhere, against zeros and against itself plus 3, 4 in two weights."""
     dense = np.array([1.0, 0.0, 0.6, 0.8]).reshape(1, 4, 1)
-    frame = Frame((Axis("sun_zenith", 0.0, 1.0),), ("luminance",), False, "chebyshev", None)
+    frame = specification((Axis("sun_zenith", 0.0, 1.0),), ("luminance",), False, "chebyshev", None)
     table = whole(frame, dense, 2, "float64")
     parameters = np.array([[0.2], [0.9]])
     truth = np.array([[[0.0, 0.0, 0.0, 0.0]], [[4.0, 0.0, 4.6, 0.8]]])

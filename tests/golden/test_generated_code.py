@@ -19,8 +19,9 @@ from skylight_sh.export.c_header import Facts
 from skylight_sh.fit.axis import Axis
 from skylight_sh.light.perez import Perez
 from skylight_sh.light.preetham import Preetham
+from skylight_sh.runtime import Table
 from skylight_sh.table.prefactor import ClosedForm, Factor, Reciprocal
-from skylight_sh.table.table import Frame, Table, fast
+from skylight_sh.table.table import fast, specification
 
 from golden.oracles import basis, degrees, hemisphere, lobe, orders, preetham_shape, sinc, upper
 
@@ -129,7 +130,7 @@ def make(
     channels: int = 3,
 ) -> Made:
     rng = np.random.default_rng(sum(top) + bands)
-    frame = Frame(axes, ("red", "green", "blue")[:channels], mirrored, basis_name, factor)
+    frame = specification(axes, ("red", "green", "blue")[:channels], mirrored, basis_name, factor)
     count = bands * (bands + 1) // 2 if mirrored else bands**2
     dense = rng.normal(size=(channels, count, *(d + 1 for d in top)))
     lengths = np.full([d + 1 for d in top[1:]], top[0] + 1)
@@ -264,7 +265,7 @@ def test_twilight_and_the_folded_window_in_c(tmp_path: Path) -> None:
     """A sun 0 to 12 degrees below the horizon, and fewer bands of a table with eq. 5's window in its weights."""
     axis = Axis("sun_zenith", 0.0, math.pi / 2, "rad")
     dense = np.random.default_rng(71).normal(size=(1, 10, 4))
-    frame = Frame((axis,), ("luminance",), True, "chebyshev", None)
+    frame = specification((axis,), ("luminance",), True, "chebyshev", None)
     lengths, dark = np.array(4), math.pi / 2
     sunk = replace(fast(frame, dense, lengths, 4, "float64"), twilight=True)
     folded = replace(fast(frame, dense, lengths, 4, "float64"), windowed=True)

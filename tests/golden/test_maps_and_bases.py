@@ -14,8 +14,8 @@ import numpy as np
 import pytest
 from scipy import special
 from skylight_sh.fit.axis import Axis
-from skylight_sh.fit.bases import BASES
-from skylight_sh.fit.maps import MAPS
+from skylight_sh.formula.bases import BASES
+from skylight_sh.formula.variables import VARIABLES
 
 Number = mpmath.mpf
 
@@ -79,7 +79,7 @@ def test_the_c_text_of_every_map(tmp_path: Path) -> None:
     for n, (name, low, high, point, make) in enumerate(CASES):
         axis, exact = Axis("x", low, high, map=name, point=point), by_ends(make(Number(point)), low, high)
         numbers = ", ".join(repr(float(c)) for c in axis.constants)
-        text = MAPS[name].c_expression.replace("LOG", "log").replace("CBRT", "cbrt")
+        text = VARIABLES[name].c_expression.replace("LOG", "log").replace("CBRT", "cbrt")
         functions.append(f"static double map{n}(double v) {{ static const double k[] = {{ {numbers} }}; return {text}; }}")
         for share in SHARES:
             value = low + share * (high - low)

@@ -110,8 +110,8 @@ def read_table(path: Path, form: str | None) -> Runtime:
     except ValueError as error:
         raise UserError(str(error)) from error
     table = loaded.table
-    if form and (table.quantity != "radiance" or table.azimuth is not None):
-        about = "irradiance" if table.quantity != "radiance" else "one azimuth of the sun"
+    if form and (table.spec.quantity != "radiance" or table.spec.azimuth is not None):
+        about = "irradiance" if table.spec.quantity != "radiance" else "one azimuth of the sun"
         raise UserError(f"{path} holds {about} alone, but --format needs radiance for any azimuth. Give such a table.")
     return loaded
 

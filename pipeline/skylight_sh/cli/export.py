@@ -82,6 +82,6 @@ def export(
         raise UserError(str(error)) from error
     if made.nights:
         fate = "left out" if night == "skip" else "written without a sky"
-        depth = "12 degrees below" if loaded.table.twilight else "below"
+        depth = "12 degrees below" if loaded.table.spec.twilight else "below"
         click.echo(f"{made.nights} times with the sun {depth} the horizon are {fate}.")
     click.echo(f"{len(made.times)} skies  {output}")

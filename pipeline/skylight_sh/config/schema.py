@@ -13,9 +13,9 @@ from skylight_sh.config.choices import AnyOf, OneOf
 from skylight_sh.config.section import Section
 from skylight_sh.config.surroundings_schema import CloudsSection, LightSection, OccluderSection
 from skylight_sh.export.targets import ALWAYS, TARGETS
-from skylight_sh.fit.bases import BASES
 from skylight_sh.fit.least_squares import SOLVERS
-from skylight_sh.fit.maps import MAPS
+from skylight_sh.formula.bases import BASES
+from skylight_sh.formula.variables import VARIABLES
 from skylight_sh.light import LIGHTS, BlackBox, Fixed, Light, Luminance, OptionsOfLight
 from skylight_sh.quadrature.registry import RULES
 from skylight_sh.report.figures import PICTURES
@@ -36,7 +36,7 @@ class AxisSection(Section):
 
     name: str = Field(description="a parameter of the light, e.g. sun_zenith (radians) or turbidity")
     range: tuple[float, float] = Field(description="[low, high] with low < high, inside the light's domain")
-    map: Annotated[str, OneOf(MAPS, "change of variable about `point`", (("auto", "found in samples"),))] = "identity"
+    map: Annotated[str, OneOf(VARIABLES, "change of variable about `point`", (("auto", "found in samples"),))] = "identity"
     point: float = Field(
         0.0, description="singular point of map = log (below the range), reciprocal (outside) or cbrt (not below)"
     )

@@ -11,7 +11,6 @@ from skylight_sh.config.problem import Problem
 from skylight_sh.config.schema import AxisSection, Config
 from skylight_sh.config.wanted import table_names
 from skylight_sh.export.targets import ALWAYS
-from skylight_sh.light import PREFACTORS
 from skylight_sh.light.preetham import Preetham
 
 # None of the locals of headers and shaders, such as x0, t1, c2, a3_1 and fade2.
@@ -147,11 +146,6 @@ def _axis_numbers(path: str, axis: AxisSection) -> Iterator[Problem]:
 
 def _fit(config: Config) -> Iterator[Problem]:
     fit = config.fit
-    hint = config.light.hints.prefactor
-    if fit.prefactor is True and hint is not None and hint.name not in PREFACTORS:
-        yield Problem(
-            "$.fit.prefactor", True, f'This package does not know the prefactor {hint.name!r}. Use false or "auto".'
-        )
     if fit.prefactor == "auto" and fit.basis != "chebyshev":
         yield Problem("$.fit.prefactor", fit.prefactor, 'The search needs basis = "chebyshev". Use true or false.')
     if fit.solver == "normal" and fit.basis == "chebyshev":

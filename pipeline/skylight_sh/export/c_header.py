@@ -12,16 +12,16 @@ from jinja2 import Environment, PackageLoader, StrictUndefined, Template, select
 from skylight_sh import __version__
 from skylight_sh.export import c_comment, c_rows
 from skylight_sh.export.c_rows import Number
-from skylight_sh.fit.bases import BASES
-from skylight_sh.fit.maps import MAPS
-from skylight_sh.light import PREFACTORS
+from skylight_sh.formula import printers
+from skylight_sh.formula.bases import BASES
+from skylight_sh.formula.printers import C_DOUBLE, C_SINGLE, Language
+from skylight_sh.runtime import Packed, Program, Rows, Table
 from skylight_sh.sphere import lower_hemisphere
 from skylight_sh.table import twilight
-from skylight_sh.table.packed import Packed
-from skylight_sh.table.prefactor import ClosedForm, Reciprocal
-from skylight_sh.table.rows import Rows
+from skylight_sh.table.prefactor import CLOSED_FORM
+from skylight_sh.table.size import bytes_of
 from skylight_sh.table.surroundings import PARTS
-from skylight_sh.table.table import Table
+from skylight_sh.table.table import float32_limits
 
 PREFIX = re.compile(r"[a-z][a-z0-9_]{0,31}")
 
@@ -57,11 +57,11 @@ def write(table: Table, facts: Facts, prefix: str = "skylight_sh") -> str:
     double = table.dtype == np.float64
     number, suffix = (_double, "") if double else (_single, "f")
     names = [axis.name for axis in table.axes]
-    azimuth = [] if table.azimuth is not None else ["sun_azimuth"]
+    azimuth = [] if table.spec.azimuth is not None else ["sun_azimuth"]
     inputs = [names[0], *azimuth, *names[1:]]
     middle = {axis.name: _single(float(f"{(axis.low + axis.high) / 2:.3g}")) for axis in table.axes}
     unit, notes = c_comment.about(table)
-    turned = None if table.azimuth is None else _single(table.azimuth)
+    turned = None if table.spec.azimuth is None else _single(table.spec.azimuth)
     fast = isinstance(table.body, Rows)
     return template("skylight_sh.h.j2").render(
         p=prefix,
@@ -75,14 +75,14 @@ def write(table: Table, facts: Facts, prefix: str = "skylight_sh") -> str:
         notes=notes,
         twilight=_twilight(table, number),
         around=_around(table, number),
-        fixed_azimuth=table.azimuth is not None,
-        windowed=table.windowed,
+        fixed_azimuth=table.spec.azimuth is not None,
+        windowed=table.spec.windowed,
         ground_added=_lower(table),
         e_mean=facts.e_mean,
         e_max=facts.e_max,
         l_min=_L_MIN.get(facts.l_min, c_comment.safe(facts.l_min)),
         least=facts.least,
-        bytes=table.bytes,
+        bytes=bytes_of(table),
         about_layout="laid out for speed" if fast else "packed into few bytes (a fast table takes more and less time)",
         provenance=[c_comment.safe(line) for line in facts.provenance],
         bands=table.bands,
@@ -92,13 +92,13 @@ def write(table: Table, facts: Facts, prefix: str = "skylight_sh") -> str:
         fast=fast,
         rows=c_rows.parts(table, prefix, number) if fast else None,
         packed=_packed(table.body, number) if isinstance(table.body, Packed) else None,
-        axes=_axes(table, prefix, suffix, number),
+        axes=_axes(table, number),
         xs=", ".join(f"x[{i}]" for i in range(len(names))),
-        rest=table.rest,
-        mirrored=table.mirrored,
+        rest=_rest(table),
+        mirrored=table.spec.mirrored,
         # Derivatives of other bases are not written, nor those of twilight.
-        gradient=table.basis == "chebyshev" and not table.twilight,
-        factor=_factor(table, number),
+        gradient=table.spec.basis == "chebyshev" and not table.spec.twilight,
+        factor=_factor(table),
         luminance=[_single(v) for v in facts.luminance or [1.0] * len(table.channels)],
         azimuth=f"({prefix}_real){turned or 'sun_azimuth'}",
         azimuth_element=f"({prefix}_real){turned or 'sun_azimuth[s]'}",
@@ -111,13 +111,14 @@ def write(table: Table, facts: Facts, prefix: str = "skylight_sh") -> str:
 
 def _twilight(table: Table, number: Number) -> dict[str, str] | None:
     """Return the numbers of the fade; the horizon in two parts, since float32 pi / 2 exceeds pi / 2."""
-    if not table.twilight:
+    if not table.spec.twilight:
         return None
     return {
         "begin": number(twilight.BEGIN),
         "rest": number(0.0 if table.dtype == np.float64 else twilight.REST),
         "each": number(1.0 / twilight.DEPTH),
-        "power": str(twilight.POWER),
+        "body": _body(table.spec.twilight.program, C_DOUBLE if table.dtype == np.float64 else C_SINGLE, ["x"]),
+        "axis": str(table.spec.peak_axis),
     }
 
 
@@ -132,7 +133,7 @@ def _around(table: Table, number: Number) -> dict[str, list[str]] | None:
 def _lower(table: Table) -> list[str]:
     """Return the zonal weights of an even ground, where one can be added to the table's weights at run time."""
     around = table.surroundings
-    if table.bands < 2 or table.ground != "black" or table.windowed or table.quantity != "radiance" or around:
+    if table.bands < 2 or table.spec.ground != "black" or table.spec.windowed or table.spec.quantity != "radiance" or around:
         return []
     return [_single(value) for value in lower_hemisphere(table.bands).tolist()]
 
@@ -142,11 +143,13 @@ def template(name: str) -> Template:
     return _TEMPLATES.get_template(name)
 
 
-def _axes(table: Table, prefix: str, suffix: str, number: Number) -> list[dict[str, object]]:
+def _axes(table: Table, number: Number) -> list[dict[str, object]]:
     found: list[dict[str, object]] = []
-    limits = zip(table.ranges, table.float32_limits(), strict=True)
+    language = C_DOUBLE if table.dtype == np.float64 else C_SINGLE
+    limits = zip(table.ranges, float32_limits(table), strict=True)
     for axis, degree, ((least, most), (first, last)) in zip(table.axes, table.degrees, limits, strict=True):
-        expression = MAPS[axis.map].c_expression
+        program = BASES[table.spec.basis].program(degree, shallow=True)
+        targets = [f"t[{k}]" for k in range(degree + 1)]
         found.append(
             {
                 "name": axis.name,
@@ -154,11 +157,9 @@ def _axes(table: Table, prefix: str, suffix: str, number: Number) -> list[dict[s
                 "terms": degree + 1,
                 # Loops over terms run in fours.
                 "room": -(-(degree + 1) // 4) * 4,
-                "constants": [number(c) for c in axis.constants],
-                "wide_constants": [_double(c) for c in axis.constants],
-                "expression": expression.replace("LOG", f"log{suffix}").replace("CBRT", f"cbrt{suffix}"),
-                "wide_expression": expression.replace("LOG", "log").replace("CBRT", "cbrt"),
-                "fill": _fill(table.basis, prefix, suffix),
+                "body": _body(axis.variable, language, ["v"]),
+                "wide_body": _body(axis.variable, C_DOUBLE, ["v"]),
+                "fill": "\n".join(printers.assignments(program, language, ["u"], targets)),
                 "low": number(axis.low),
                 "high": number(axis.high),
                 "least": number(least),
@@ -181,37 +182,30 @@ def _packed(body: Packed, number: Number) -> dict[str, object]:
     }
 
 
-def _factor(table: Table, number: Number) -> dict[str, object]:
+def _factor(table: Table) -> dict[str, str]:
     """Return what the template needs of the table's factor; the fit divided by the same."""
-    if isinstance(table.factor, ClosedForm):
-        body = PREFACTORS[table.factor.name].c_body
-        wide = re.sub(r"\bfloat\b", "double", re.sub(r"(\d\.\d+)f\b", r"\1", body))
-        wide = re.sub(r"\b(tan|cos|sin|exp|log)f\b", r"\1", wide)
-        return {
-            "kind": "closed",
-            "about": f"the closed form {table.factor.name}",
-            "constants": [number(c) for c in table.factor.constants],
-            "wide_constants": [_double(c) for c in table.factor.constants],
-            "fixed": [(name, _double(value)) for name, value in table.factor.fixed],
-            "body": wide if table.dtype == np.float64 else body,
-            "wide_body": wide,
-        }
-    if isinstance(table.factor, Reciprocal):
-        found = table.factor.coefficients
-        return {
-            "kind": "reciprocal",
-            "about": "1 over a polynomial in the same variables",
-            "constants": [number(float(c)) for c in found.ravel()],
-            "wide_constants": [_double(float(c)) for c in found.ravel()],
-            "sizes": found.shape,
-        }
-    return {"kind": "none", "about": "nothing"}
+    scale = table.spec.scale
+    if not scale:
+        return {"kind": "none", "about": "nothing"}
+    closed = scale.kind == CLOSED_FORM
+    inputs = [f"x{a}" for a in range(len(table.axes))]
+    return {
+        "kind": scale.kind,
+        "about": f"the closed form {scale.name}" if closed else "1 over a polynomial in the same variables",
+        "body": _body(scale.program, C_DOUBLE if table.dtype == np.float64 else C_SINGLE, inputs),
+        "wide_body": _body(scale.program, C_DOUBLE, inputs),
+    }
 
 
-def _fill(basis: str, prefix: str, suffix: str) -> str:
-    """Return the basis's C statements in the table's number type."""
-    text = re.sub(r"\breal\b", f"{prefix}_real", BASES[basis].c_fill)
-    return text.replace("COS(", f"cos{suffix}(").replace("SIN(", f"sin{suffix}(")
+def _body(program: Program, language: Language, inputs: Sequence[str]) -> str:
+    """Return the statements of a function of one result."""
+    lines, results = printers.statements(program, language, inputs)
+    return "\n".join([*lines, f"return {results[0]};"])
+
+
+def _rest(table: Table) -> int:
+    """Return the number of products of the other axes' powers."""
+    return int(np.prod([d + 1 for d in table.degrees[1:]], dtype=int))
 
 
 def _single(value: float) -> str:

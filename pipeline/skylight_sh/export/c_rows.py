@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from skylight_sh.table.rows import Rows
-from skylight_sh.table.table import Table
+from skylight_sh.runtime import Rows, Table
+from skylight_sh.table.row_layout import layout
 
 Number = Callable[[float], str]
 
@@ -27,7 +27,7 @@ def parts(table: Table, prefix: str, number: Number) -> dict[str, object]:
         # A last group of four with rows of zeros.
         "padded": padded,
         "width": width,
-        "widths": table.layout.widths,
+        "widths": layout(table.spec, table.bands).widths,
         "products": [
             {"start": start, "length": int(n), "count": -(-int(n) // _FOUR) * _FOUR, "rest": r}
             for r, (start, n) in enumerate(zip(starts, body.lengths, strict=True))
@@ -40,7 +40,7 @@ def parts(table: Table, prefix: str, number: Number) -> dict[str, object]:
 
 def _stores(table: Table, prefix: str) -> list[list[str]]:
     """Return, for each band, the lines that store its columns: turned by the azimuth where m < 0 is not stored."""
-    column = {place: k for k, place in enumerate(table.layout.places) if place}
+    column = {place: k for k, place in enumerate(layout(table.spec, table.bands).places) if place}
     bands: list[list[str]] = []
     for l in range(table.bands):
         lines = []
@@ -49,7 +49,7 @@ def _stores(table: Table, prefix: str) -> list[list[str]]:
             if (l, c, 0) not in column:
                 lines.append(f"for (i = 0; i < {2 * l + 1}; ++i) weights[{c}][{middle - l} + i] = 0.0f;")
                 continue
-            if not table.mirrored:
+            if not table.spec.mirrored:
                 start = column[l, c, -l]
                 lines.append(f"for (i = 0; i < {2 * l + 1}; ++i) weights[{c}][{middle - l} + i] = (float)acc[{start} + i];")
                 continue

@@ -16,10 +16,9 @@ from numpy.typing import NDArray
 
 from skylight_sh import sphere
 from skylight_sh.export import engines, solar
-from skylight_sh.runtime import CLAMPED, INVALID, Runtime
+from skylight_sh.runtime import CLAMPED, INVALID, Runtime, Table
 from skylight_sh.store import atomic
 from skylight_sh.table import twilight
-from skylight_sh.table.table import Table
 
 Array = NDArray[np.float64]
 Night = Literal["skip", "zero"]
@@ -73,7 +72,7 @@ def tabulate(table: Runtime, request: Request) -> Day:
         (moment.isoformat(), *solar.position(request.place, moment))
         for moment in solar.moments(request.date, request.timezone, request.step)
     ]
-    night = twilight.END if table.table.twilight else twilight.BEGIN
+    night = twilight.END if table.table.spec.twilight else twilight.BEGIN
     up = [zenith <= night for _, zenith, _ in places]
     kept = [place for place, shines in zip(places, up, strict=True) if shines or request.night == "zero"]
     zeniths, azimuths = [zenith for _, zenith, _ in kept], [azimuth for _, _, azimuth in kept]

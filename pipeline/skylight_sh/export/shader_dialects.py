@@ -7,19 +7,9 @@ description. Types are named here as the generator names them: ``real``, ``whole
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
-import numpy as np
-
-_INTEGER = re.compile(r"(?<![\w.\[])(?<!e[+-])\d+(?![\w.\]])")
-_SUFFIX = re.compile(r"(\d\.?\d*(?:e[+-]?\d+)?)f\b")
-_C_FUNCTION = re.compile(r"\b(tan|cos|sin|exp|log|sqrt|pow)f\b")
-_CONSTANT = re.compile(r"\bk\[(\d+)\]")
-_PLAIN = r"[^{}?=\"#]+"
-_STATEMENT = re.compile(
-    rf"(?:(?P<const>const )?float )?(?P<name>[a-z]\w*) = (?P<value>{_PLAIN})|return (?P<result>{_PLAIN})"
-)
 # Two underscores, and what these begin with, are the languages' own.
 _RESERVED_PREFIX = re.compile(r"gl_|webgl_|.*__|.*_$")
 
@@ -99,62 +89,11 @@ class Dialect:
         """Return a vector of two to four scalars; one stays a scalar."""
         return items[0] if len(items) == 1 else f"{self.types[f'vec{len(items)}']}({', '.join(items)})"
 
-    def statements(self, c_body: str, constants: Sequence[float]) -> list[str]:
-        """Translate a prefactor's C: declarations of floats, assignments and a return, over the array ``k``.
-
-        Raises ValueError for any other C.
-        """
-        return [line for part in c_body.split(";") if part.strip() for line in self._statement(part, constants)]
-
-    def _statement(self, text: str, constants: Sequence[float]) -> Iterator[str]:
-        parts = list(_split(" ".join(text.split())))
-        kind = re.match(r"(const )?float ", parts[0])
-        for i, part in enumerate(parts):
-            found = _STATEMENT.fullmatch(kind[0] + part if kind and i else part)
-            if not found or (i and not kind):
-                raise ValueError(f"Cannot translate the C statement {' '.join(text.split())!r} into {self.title}.")
-            if found["result"]:
-                yield f"return {expression(found['result'], constants)};"
-            elif kind:
-                declare = self.fixed if found["const"] else self.variable
-                yield declare("real", found["name"], expression(found["value"], constants))
-            else:
-                yield f"{found['name']} = {expression(found['value'], constants)};"
-
 
 def check_prefix(prefix: str) -> None:
     """Raise ValueError where shading languages reserve ``prefix``."""
     if _RESERVED_PREFIX.match(prefix):
         raise ValueError(f"Invalid prefix {prefix!r} for shaders. Should not begin with gl_ or webgl_, hold __ or end in _.")
-
-
-def number(value: float) -> str:
-    """Return a float32 as a literal of every dialect."""
-    text = f"{float(np.float32(value)):.9g}"
-    return text if any(c in text for c in ".en") else text + ".0"
-
-
-def expression(c_expression: str, constants: Sequence[float]) -> str:
-    """Translate a C expression over ``k``: its constants stand in it, and whole numbers get the point the languages want."""
-    text = _INTEGER.sub(r"\g<0>.0", _SUFFIX.sub(r"\1", c_expression))
-    text = _C_FUNCTION.sub(r"\1", text)
-    return _CONSTANT.sub(lambda k: _enclosed(number(constants[int(k[1])])), text)
-
-
-def _enclosed(text: str) -> str:
-    """Keep a sign from meeting the operator before it."""
-    return f"({text})" if text.startswith("-") else text
-
-
-def _split(text: str) -> Iterator[str]:
-    """Split at the commas outside all brackets."""
-    depth, start = 0, 0
-    for i, c in enumerate(text):
-        depth += (c == "(") - (c == ")")
-        if c == "," and not depth:
-            yield text[start:i].strip()
-            start = i + 1
-    yield text[start:].strip()
 
 
 GLSL = Dialect(

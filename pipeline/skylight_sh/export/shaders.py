@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import math
-import re
 import textwrap
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from itertools import product
 
 import numpy as np
@@ -13,29 +12,20 @@ import numpy as np
 from skylight_sh import __version__, sphere
 from skylight_sh.export.c_comment import input_lines
 from skylight_sh.export.c_header import PREFIX, Facts, template
-from skylight_sh.export.shader_dialects import DIALECTS, Dialect, check_prefix, expression, number
-from skylight_sh.fit.maps import MAPS
-from skylight_sh.light import PREFACTORS
+from skylight_sh.export.shader_dialects import DIALECTS, Dialect, check_prefix
+from skylight_sh.formula import printers
+from skylight_sh.formula.bases import BASES
+from skylight_sh.formula.printers import Language
+from skylight_sh.formula.printers import single as number
+from skylight_sh.runtime import SLACK, Rows, Table
 from skylight_sh.table import twilight
-from skylight_sh.table.prefactor import ClosedForm, Reciprocal
-from skylight_sh.table.rows import Rows
-from skylight_sh.table.table import SLACK, Table
+from skylight_sh.table.row_layout import layout
+from skylight_sh.table.size import bytes_of
 
 _WIDTH = 112
 _MOST_CHANNELS = 4
 # A quarter turn in two parts, the first of few bits, and how many an angle of 1 has.
 _QUARTER = {"high": "1.5703125", "low": number(math.pi / 2 - 1.5703125), "each": number(2 / math.pi)}
-
-# Function k of each basis in the variable u{a} of axis a, by those before it in t{a}; a format over ``prefix``.
-_TERMS: dict[str, Callable[[int, int], str]] = {
-    # By products of lower ones: few steps wait for each other.
-    "chebyshev": lambda a, k: f"u{a}" if k == 1 else f"2.0 * t{a}[{k // 2}] * t{a}[{k - k // 2}] - t{a}[{k % 2}]",
-    "legendre": lambda a, k: (
-        f"u{a}" if k == 1 else f"{number(2 - 1 / k)} * u{a} * t{a}[{k - 1}] - {number(1 - 1 / k)} * t{a}[{k - 2}]"
-    ),
-    "monomial": lambda a, k: f"u{a} * t{a}[{k - 1}]",
-    "fourier": lambda a, k: f"{{prefix}}_wave({number(math.pi * ((k + 1) // 2))} * u{a}).{'x' if k % 2 else 'y'}",
-}
 
 
 def obstacle(table: Table) -> str | None:
@@ -44,7 +34,7 @@ def obstacle(table: Table) -> str | None:
         return f"its layout is {table.body.kind}; shaders evaluate tables of layout rows"
     if table.dtype != np.float32:
         return f"its numbers are {table.dtype}; shaders work in float32"
-    if table.quantity != "radiance" or table.azimuth is not None:
+    if table.spec.quantity != "radiance" or table.spec.azimuth is not None:
         return "a shader takes radiance weights of a sun that turns"
     if table.surroundings:
         return "surroundings are too many constants for a shader; apply them to its weights"
@@ -81,7 +71,7 @@ def write(table: Table, facts: Facts, language: str, prefix: str = "skylight_sh"
         e_mean=facts.e_mean,
         e_max=facts.e_max,
         l_min=_comment(facts.l_min),
-        bytes=table.bytes,
+        bytes=bytes_of(table),
         provenance=[_comment(line) for line in facts.provenance],
         bands=table.bands,
         colour=colour,
@@ -90,10 +80,11 @@ def write(table: Table, facts: Facts, language: str, prefix: str = "skylight_sh"
         lengths=[str(n) for n in table.body.lengths.tolist()],
         rows=[dialect.vector([number(v) for v in four]) for four in fours.tolist()],
         width=table.body.rows.shape[1] // 4,
-        prefactor=_prefactor(table, dialect),
+        prefactor=_prefactor(table, dialect, prefix),
+        wave="_wave(" in str((_axes(table, dialect, prefix), _prefactor(table, dialect, prefix))),
         parameters=[dialect.parameter("real", name) for name in inputs],
         arguments=", ".join(inputs),
-        axes=_axes(table, prefix),
+        axes=_axes(table, dialect, prefix),
         scale=_scale(table, dialect, prefix),
         rest=_rest(table),
         waves=_waves(table.bands, dialect, prefix),
@@ -152,14 +143,22 @@ def _step(l: int, m: int, start: float) -> str:
     return f"{number(ahead)} * z * y{l - 1}_{m} - {before}"
 
 
-def _axes(table: Table, prefix: str) -> list[dict[str, object]]:
-    low = table.factor.coefficients.shape if isinstance(table.factor, Reciprocal) else (1,) * len(table.axes)
+def _language(dialect: Dialect, prefix: str) -> Language:
+    """Return how formulas are printed; cosine and sine are the shader's own, which GPUs cannot spoil."""
+    functions = {name: f"{name}({{x}})" for name in ("log", "exp", "sqrt")}
+    # A root's distance to its point may round below 0, where pow knows no number.
+    functions["cbrt"] = "pow(max({x}, 0.0), 0.333333343)"
+    functions |= {"cos": f"{prefix}_wave({{x}}).x", "sin": f"{prefix}_wave({{x}}).y"}
+    return Language(number, functions, lambda name, value: dialect.fixed("real", name, value))
+
+
+def _axes(table: Table, dialect: Dialect, prefix: str) -> list[dict[str, object]]:
+    language = _language(dialect, prefix)
     found: list[dict[str, object]] = []
-    for a, (axis, degree, least, ends) in enumerate(zip(table.axes, table.degrees, low, table.ranges, strict=True)):
+    for a, (axis, degree, ends) in enumerate(zip(table.axes, table.degrees, table.ranges, strict=True)):
         slack = SLACK * max(ends[1] - ends[0], 1.0)
-        # A root's distance to its point may round below 0, where pow knows no number.
-        text = MAPS[axis.map].c_expression.replace("CBRT(k[0] - v)", "pow(max(k[0] - v, 0), 0.333333343)")
-        terms = [_TERMS[table.basis](a, k).format(prefix=prefix) for k in range(1, max(degree + 1, least))]
+        program = BASES[table.spec.basis].program(degree, shallow=True)
+        targets = [f"t{a}[{k}]" for k in range(degree + 1)]
         found.append(
             {
                 "name": axis.name,
@@ -168,49 +167,48 @@ def _axes(table: Table, prefix: str) -> list[dict[str, object]]:
                 "high": number(axis.high),
                 "least": number(ends[0] - slack),
                 "most": number(ends[1] + slack),
-                "expression": expression(re.sub(r"\bv\b", f"x{a}", text.replace("LOG", "log")), axis.constants),
-                "terms": terms,
+                "expression": printers.statements(axis.variable, language, [f"x{a}"])[1][0],
+                "size": degree + 1,
+                "terms": printers.assignments(program, language, [f"u{a}"], targets),
             }
         )
     return found
 
 
-def _prefactor(table: Table, dialect: Dialect) -> dict[str, object] | None:
-    if not isinstance(table.factor, ClosedForm):
+def _prefactor(table: Table, dialect: Dialect, prefix: str) -> dict[str, object] | None:
+    scale = table.spec.scale
+    if not scale:
         return None
-    body = [dialect.fixed("real", name, number(value)) for name, value in table.factor.fixed]
-    body += dialect.statements(PREFACTORS[table.factor.name].c_body, table.factor.constants)
+    inputs = [f"x{a}" for a in range(len(table.axes))]
+    lines, results = printers.statements(scale.program, _language(dialect, prefix), inputs)
     return {
-        "name": table.factor.name,
-        "parameters": [dialect.parameter("real", axis.name) for axis in table.axes],
-        "lines": [line for text in body for line in _wrapped(text)],
+        "name": scale.name,
+        "parameters": [dialect.parameter("real", name) for name in inputs],
+        "lines": [line for text in [*lines, f"return {results[0]};"] for line in _wrapped(text)],
     }
 
 
 def _scale(table: Table, dialect: Dialect, prefix: str) -> list[str]:
     """Return the lines that declare ``scale``, what all weights are multiplied with, where there is such."""
     lines, factors = [], []
-    if table.twilight:
-        depth = f"((sun_zenith - {number(twilight.BEGIN)}) - {number(twilight.REST)}) * {number(1.0 / twilight.DEPTH)}"
+    if table.spec.twilight:
+        begin, rest, each = (number(value) for value in (twilight.BEGIN, twilight.REST, 1.0 / twilight.DEPTH))
+        depth = f"(({table.spec.peak_axis} - {begin}) - {rest}) * {each}"
+        printed, results = printers.statements(table.spec.twilight.program, _language(dialect, prefix), ["depth"])
         lines += [
             "// Twilight: the share of the horizon's light that a sun below it leaves.",
             dialect.fixed("real", "depth", f"clamp({depth}, 0.0, 1.0)"),
-            dialect.fixed("real", "fade2", "(1.0 - depth) * (1.0 - depth)"),
-            dialect.fixed("real", "fade4", "fade2 * fade2"),
+            *printed,
         ]
-        factors.append(f"fade4 * fade4 * fade2 * (1.0 + {number(twilight.POWER)} * depth)")
-    if isinstance(table.factor, Reciprocal):
-        numbers = table.factor.coefficients
-        terms = [_times(number(float(numbers[at])), at) for at in product(*(range(size) for size in numbers.shape))]
-        factors.append(f"1.0 / ({' + '.join(terms).replace('+ -', '- ')})")
-    elif table.factor:
+        factors.append(results[0])
+    if table.spec.scale:
         factors.append(f"{prefix}_prefactor({', '.join(f'x{a}' for a in range(len(table.axes)))})")
     return lines + (_wrapped(dialect.fixed("real", "scale", " * ".join(factors))) if factors else [])
 
 
 def _rest(table: Table) -> list[str]:
     """Return the products of the other axes' powers, times the scale, in the order of ``Rows``."""
-    scale = "scale" if table.factor or table.twilight else "1.0"
+    scale = "scale" if table.spec.scale or table.spec.twilight else "1.0"
     return [_times(scale, (0, *at)) for at in product(*(range(degree + 1) for degree in table.degrees[1:]))]
 
 
@@ -236,7 +234,7 @@ def _waves(bands: int, dialect: Dialect, prefix: str) -> list[str]:
 
 def _stores(table: Table, dialect: Dialect, colour: str) -> list[str]:
     """Return the lines that store all weights, turned by the azimuth (Habel et al. 2008, eq. 4)."""
-    column = {place: k for k, place in enumerate(table.layout.places) if place}
+    column = {place: k for k, place in enumerate(layout(table.spec, table.bands).places) if place}
 
     def output(l: int, m: int) -> str:
         places = [column[l, c, m] for c in range(len(table.channels))]
@@ -249,7 +247,7 @@ def _stores(table: Table, dialect: Dialect, colour: str) -> list[str]:
         for m in range(1, l + 1):
             plus, minus = dialect.element("weights", middle + m), dialect.element("weights", middle - m)
             lines.append(dialect.fixed(colour, f"a{l}_{m}", output(l, m)))
-            if table.mirrored:
+            if table.spec.mirrored:
                 lines += [f"{plus} = a{l}_{m} * c{m};", f"{minus} = a{l}_{m} * s{m};"]
                 continue
             lines.append(dialect.fixed(colour, f"b{l}_{m}", output(l, -m)))

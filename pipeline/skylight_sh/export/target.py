@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from skylight_sh.export.c_header import Facts
-    from skylight_sh.table.table import Table
+    from skylight_sh.runtime import Table
 
 
 @dataclass(frozen=True)

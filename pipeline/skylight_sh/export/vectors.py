@@ -14,8 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from skylight_sh.export import c_header
-from skylight_sh.runtime import Runtime
-from skylight_sh.table.table import Table
+from skylight_sh.runtime import Runtime, Table
+from skylight_sh.table.table import float32_limits
 
 FORMAT = 1
 # The tests measure up to 5.8e-7 (contraction) and 6.5e-7 (-ffast-math): one bound does for every build.
@@ -36,7 +36,7 @@ Singles = NDArray[np.float32]
 def write(table: Table) -> str:
     """Return the text of the vectors of ``table``."""
     inputs = np.concatenate([_edges(table), _no_numbers(table), _inside(table)])
-    if table.azimuth is not None:
+    if table.spec.azimuth is not None:
         inputs = np.delete(inputs, 1, axis=1)
     weights, status = Runtime(table).weights_and_status(*inputs.T)
     expected = weights.astype(np.float32)
@@ -90,7 +90,7 @@ def _edges(table: Table) -> Singles:
     """All corners; every axis at, one float below and above its ends and the ends of its slack; the azimuth's own."""
     rows = [_row(0.7, *corner) for corner in product(*table.ranges)]
     for i, axis in enumerate(table.axes):
-        for end in (axis.low, axis.high, *table.float32_limits()[i]):
+        for end in (axis.low, axis.high, *float32_limits(table)[i]):
             at = np.float32(end)
             for value in (np.nextafter(at, np.float32(-np.inf)), at, np.nextafter(at, np.float32(np.inf))):
                 rows.append(_row(-2.0, *_middle(table)[:i], float(value), *_middle(table)[i + 1 :]))

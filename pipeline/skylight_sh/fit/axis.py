@@ -7,7 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from skylight_sh.fit.maps import MAPS
+from skylight_sh import runtime
+from skylight_sh.formula.expression import trace
+from skylight_sh.formula.variables import VARIABLES
 
 Array = NDArray[np.float64]
 Floats = NDArray[np.floating]
@@ -27,17 +29,23 @@ class Axis:
     @property
     def constants(self) -> tuple[float, ...]:
         """The numbers of the change of variable."""
-        return MAPS[self.map].constants(self.low, self.high, self.point)
+        return VARIABLES[self.map].constants(self.low, self.high, self.point)
 
     def scaled(self, values: Floats) -> Floats:
         """Map parameter values to the fit's variable, in [-1, 1] unless the map is ``raw``; keeps the dtype."""
         numbers = np.array(self.constants, dtype=values.dtype)
-        return np.asarray(MAPS[self.map].forward(values, numbers))
+        return np.asarray(VARIABLES[self.map].forward(values, numbers))
 
     def unscaled(self, variable: Array) -> Array:
         """Map the fit's variable back to parameter values, inside the range to the last bit."""
-        values = MAPS[self.map].inverse(variable, np.array(self.constants))
+        values = VARIABLES[self.map].inverse(variable, np.array(self.constants))
         return np.clip(values, self.low, self.high)
+
+    @property
+    def specified(self) -> runtime.Axis:
+        """What a table's reader needs of the axis."""
+        variable = trace(lambda v, k=(): [VARIABLES[self.map].forward(v, k)], [self.name], self.constants)
+        return runtime.Axis(self.name, self.low, self.high, self.unit, self.map, self.point, variable)
 
     def fit_nodes(self, count: int, spacing: str) -> Array:
         """Return ``count`` rising nodes: Chebyshev roots in the fit's variable, or ``uniform`` with both ends."""
@@ -64,3 +72,8 @@ class Axis:
     def _spread(self, x: Array) -> Array:
         """Map [-1, 1] evenly onto the range."""
         return np.asarray((self.low + self.high + (self.high - self.low) * x) / 2)
+
+
+def of_table(axis: runtime.Axis) -> Axis:
+    """Return a table's axis as the fit knows it."""
+    return Axis(axis.name, axis.low, axis.high, axis.unit, axis.map, axis.point)

@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 
 from skylight_sh import sphere
 from skylight_sh.fit import least_squares
-from skylight_sh.fit.bases import BASES
 from skylight_sh.fit.errors import Reference, e_mean
 from skylight_sh.fit.tensor_product import products
+from skylight_sh.formula.bases import BASES
 from skylight_sh.light.protocol import Light
 from skylight_sh.quadrature import direction_sums, monte_carlo, parameter_points
 

@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from skylight_sh.fit.axis import Axis
-from skylight_sh.fit.bases import BASES
 from skylight_sh.fit.least_squares import fit_tensor
 from skylight_sh.fit.tensor_product import grid_products
+from skylight_sh.formula.bases import BASES
 
 Array = NDArray[np.float64]
 

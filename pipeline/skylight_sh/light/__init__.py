@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 from skylight_sh import MissingExtraError
-from skylight_sh.light.perez import Perez
-from skylight_sh.light.preetham import Preetham
 from skylight_sh.light.protocol import Domain, Hints, Light, LightError, OptionsOfLight, Prefactor
 from skylight_sh.light.wrappers import BlackBox, Fixed, Luminance
 from skylight_sh.registry import Registry
@@ -20,12 +18,9 @@ LIGHTS: Registry[type[OptionsOfLight]] = Registry(
         "plugin": "skylight_sh.light.plugin:Plugin",
     }
 )
-# Every prefactor a table may name.
-PREFACTORS = {p.name: p for p in (Preetham().hints.prefactor, Perez(category=8).hints.prefactor) if p}
 
 __all__ = [
     "LIGHTS",
-    "PREFACTORS",
     "BlackBox",
     "Domain",
     "Fixed",

@@ -7,17 +7,17 @@ irradiance. Between categories the model jumps, so that each is a light of its o
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import ClassVar, Literal
+from typing import Any, ClassVar, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
+from skylight_sh.formula.elementary import cos, exp, label
 from skylight_sh.light.mixins import OneChannel, OwnCode
 from skylight_sh.light.protocol import OPTIONS, Array, Domain, Hints, Parameters, Prefactor, sun_angle
-from skylight_sh.reproducible import in_double
 
 Floats = NDArray[np.floating]
 
@@ -112,7 +112,7 @@ class Perez(OwnCode, OneChannel):
         if self.category == 1:
             return Hints(mirrored=True, peak_axis="sun_zenith")
         numbers = tuple(_rows(self.category).ravel().tolist())
-        prefactor = Prefactor("perez_zenith", ("sun_zenith", "brightness"), numbers, zenith_factor, _ZENITH_FACTOR_C, 3)
+        prefactor = Prefactor("perez_zenith", ("sun_zenith", "brightness"), numbers, zenith_factor)
         return Hints(mirrored=True, peak_axis="sun_zenith", prefactor=prefactor)
 
     def radiance(self, directions: Array, parameters: Parameters) -> Array:
@@ -136,24 +136,15 @@ def _rows(category: int) -> Array:
     return np.array(_SHAPE[category - 1].split(), dtype=np.float64).reshape(5, 4)
 
 
-def zenith_factor(parameters: Mapping[str, Floats], constants: tuple[float, ...]) -> Floats:
-    """Return 1 over the shape towards the zenith, in the dtype of the parameters; ``constants`` are rows a..e."""
-    theta, delta = parameters["sun_zenith"], parameters["brightness"]
-    rows = np.reshape(constants, (5, 4)).astype(np.result_type(theta))
-    a, b, c, d, e = (x1 + x2 * theta + delta * (x3 + x4 * theta) for x1, x2, x3, x4 in rows)
-    cosine, up, halo = (in_double(f, x) for f, x in ((np.cos, theta), (np.exp, b), (np.exp, d * theta)))
-    return np.asarray(1 / ((1 + a * up) * (1 + c * halo + e * (cosine * cosine))))
-
-
-# The same in C; 3 numbers stand in it.
-_ZENITH_FACTOR_C = """\
-const float a = k[0] + k[1] * sun_zenith + brightness * (k[2] + k[3] * sun_zenith);
-const float b = k[4] + k[5] * sun_zenith + brightness * (k[6] + k[7] * sun_zenith);
-const float c = k[8] + k[9] * sun_zenith + brightness * (k[10] + k[11] * sun_zenith);
-const float d = k[12] + k[13] * sun_zenith + brightness * (k[14] + k[15] * sun_zenith);
-const float e = k[16] + k[17] * sun_zenith + brightness * (k[18] + k[19] * sun_zenith);
-const float cosine = cosf(sun_zenith);
-return 1.0f / ((1.0f + a * expf(b)) * (1.0f + c * expf(d * sun_zenith) + e * (cosine * cosine)));"""
+def zenith_factor(theta: Any, delta: Any, k: Sequence[Any]) -> Any:
+    """Return 1 over the shape towards the zenith: a formula of generic numbers; ``k`` are rows a..e of four."""
+    rows = [k[i : i + 4] for i in range(0, 20, 4)]
+    a, b, c, d, e = (
+        label(x1 + x2 * theta + delta * (x3 + x4 * theta), name)
+        for name, (x1, x2, x3, x4) in zip("abcde", rows, strict=True)
+    )
+    cosine, up, halo = label(cos(theta), "cosine"), label(exp(b), "up"), label(exp(d * theta), "halo")
+    return 1 / ((1 + a * up) * (1 + c * halo + e * (cosine * cosine)))
 
 
 def shape(category: int, theta: Array, delta: Array) -> tuple[Array, ...]:

@@ -9,12 +9,13 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
-from typing import ClassVar, Literal
+from typing import Any, ClassVar, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 from skylight_sh import MissingExtraError
+from skylight_sh.formula.elementary import label
 from skylight_sh.light import colour
 from skylight_sh.light.mixins import OwnCode
 from skylight_sh.light.protocol import OPTIONS, Array, Domain, Hints, Parameters, Prefactor, sun_angle
@@ -119,7 +120,7 @@ class Preetham(OwnCode):
     def hints(self) -> Hints:
         """Mirror-symmetric, a cusp at the sun, and the zenith luminance factor as prefactor."""
         numbers = tuple(value for row in _PEREZ[self.constants] for value in row[:2])
-        prefactor = Prefactor("preetham_zenith", ("sun_zenith", "turbidity"), numbers, zenith_factor, _ZENITH_FACTOR_C, 25)
+        prefactor = Prefactor("preetham_zenith", ("sun_zenith", "turbidity"), numbers, zenith_factor)
         return Hints(mirrored=True, peak_axis="sun_zenith", prefactor=prefactor)
 
     def radiance(self, directions: Array, parameters: Parameters) -> Array:
@@ -176,52 +177,30 @@ def zenith_luminance(theta: Floats, tau: Floats) -> Floats:
     return np.asarray(1000.0 * ((4.0453 * tau - 4.9710) * np.tan(chi) - 0.2155 * tau + 2.4192))
 
 
-def zenith_factor(parameters: Mapping[str, Floats], constants: tuple[float, ...]) -> Floats:
+def zenith_factor(theta: Any, tau: Any, k: Sequence[Any]) -> Any:
     """Return ``Y_z / F_Y(0, theta)``, the zenith luminance without the shape of the sky, in cd/m2, but for a few per cent.
 
-    ``constants`` are slope and offset of A..E for Y. Works in the dtype of its parameters. The tangent, exponentials and
-    cosine are rational functions that cost a renderer a tenth of the library's; since a fit divides by exactly what a
-    table multiplies by, that costs no accuracy.
+    A formula of generic numbers; ``k`` are slope and offset of A..E for Y. The tangent, exponentials and cosine are
+    rational functions that cost a renderer a tenth of the library's; since a fit divides by exactly what a table
+    multiplies by, that costs no accuracy.
     """
-    theta, tau = parameters["sun_zenith"], parameters["turbidity"]
-    real = np.result_type(theta)
-    a, b, c, d, e = (slope * tau + offset for slope, offset in np.reshape(constants, (5, 2)).astype(real))
-    chi = (real.type(4 / 9) - tau * real.type(1 / 120)) * (real.type(np.pi) - 2 * theta)
-    square = chi * chi
+    a, b, c, d, e = (label(k[2 * i] * tau + k[2 * i + 1], name) for i, name in enumerate("abcde"))
+    chi = label((4 / 9 - tau * (1 / 120)) * (np.pi - 2 * theta), "chi")
+    square = label(chi * chi, "square")
     # tan chi = tan_above / tan_below (Pade), exp b = up ** 4, exp(d theta) = halo ** 8, cos theta by its series.
-    tan_above, tan_below = chi * (105 - 10 * square), 105 - square * (45 - square)
-    up = 1 + b * (real.type(0.25) + b * real.type(1 / 32))
-    up = up * up
-    up = up * up
-    y = d * theta
-    halo = 1 + y * (real.type(0.125) + y * real.type(1 / 128))
-    halo = halo * halo
-    halo = halo * halo
-    halo = halo * halo
-    z = theta * theta
-    cosine = 1 - z * (real.type(0.5) - z * (real.type(1 / 24) - z * real.type(1 / 720)))
-    four, slope, offset = real.type(4.0453), real.type(4.9710), real.type(2.4192)
-    zenith = (four * tau - slope) * tan_above + (offset - real.type(0.2155) * tau) * tan_below
-    return np.asarray(1000 * zenith / (tan_below * (1 + a * up) * (1 + c * halo + e * (cosine * cosine))))
-
-
-# The same in C; 25 numbers stand in it.
-_ZENITH_FACTOR_C = """\
-const float a = k[0] * turbidity + k[1], b = k[2] * turbidity + k[3], c = k[4] * turbidity + k[5];
-const float d = k[6] * turbidity + k[7], e = k[8] * turbidity + k[9];
-const float chi = (0.44444444444444444f - turbidity * 0.0083333333333333333f) * (3.1415926535897932f - 2.0f * sun_zenith);
-const float square = chi * chi;
-const float tan_above = chi * (105.0f - 10.0f * square), tan_below = 105.0f - square * (45.0f - square);
-const float y = d * sun_zenith, z = sun_zenith * sun_zenith;
-const float cosine = 1.0f - z * (0.5f - z * (0.041666666666666667f - z * 0.0013888888888888889f));
-float up = 1.0f + b * (0.25f + b * 0.03125f), halo = 1.0f + y * (0.125f + y * 0.0078125f);
-up = up * up;
-up = up * up;
-halo = halo * halo;
-halo = halo * halo;
-halo = halo * halo;
-return 1000.0f * ((4.0453f * turbidity - 4.9710f) * tan_above + (2.4192f - 0.2155f * turbidity) * tan_below)
-    / (tan_below * (1.0f + a * up) * (1.0f + c * halo + e * (cosine * cosine)));"""
+    tan_above, tan_below = label(chi * (105 - 10 * square), "tan_above"), label(105 - square * (45 - square), "tan_below")
+    up = label(1 + b * (0.25 + b * (1 / 32)), "up")
+    up = label(up * up, "up2")
+    up = label(up * up, "up4")
+    y = label(d * theta, "y")
+    halo = label(1 + y * (0.125 + y * (1 / 128)), "halo")
+    halo = label(halo * halo, "halo2")
+    halo = label(halo * halo, "halo4")
+    halo = label(halo * halo, "halo8")
+    z = label(theta * theta, "z")
+    cosine = label(1 - z * (0.5 - z * (1 / 24 - z * (1 / 720))), "cosine")
+    zenith = label((4.0453 * tau - 4.9710) * tan_above + (2.4192 - 0.2155 * tau) * tan_below, "zenith")
+    return 1000 * zenith / (tan_below * (1 + a * up) * (1 + c * halo + e * (cosine * cosine)))
 
 
 def _perez_sky(shape: Sequence[Floats] | Floats, secant: Floats | float, gamma: Floats, cos_gamma: Floats) -> Floats:

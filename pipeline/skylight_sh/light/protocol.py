@@ -33,18 +33,13 @@ class Domain:
 class Prefactor:
     """A closed form that the weights are divided by before the fit and multiplied by after evaluation.
 
-    ``evaluate`` maps the light's parameters to values in the dtype of its arguments, with ``constants`` as its
-    numbers; ``c_body`` is the same in C: statements over ``float`` variables named like the parameters and the array
-    ``k`` of constants, ending in ``return``. Both are held together by the header's conformance test. ``literals`` counts
-    the numbers written into ``c_body`` itself, so that a table's bytes leave nothing out.
+    ``formula(*parameters, constants)`` takes generic numbers, parameters in the order of ``axes``, and returns one.
     """
 
     name: str
     axes: tuple[str, ...]
     constants: tuple[float, ...]
-    evaluate: Callable[[Mapping[str, NDArray[np.floating]], tuple[float, ...]], NDArray[np.floating]]
-    c_body: str
-    literals: int
+    formula: Callable[..., Any]
 
 
 @dataclass(frozen=True)

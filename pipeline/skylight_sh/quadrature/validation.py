@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from skylight_sh import sphere
-from skylight_sh.light import PREFACTORS, BlackBox, Fixed, Light, LightError, Luminance, MissingExtraError, validation
+from skylight_sh.light import BlackBox, Fixed, Light, LightError, Luminance, MissingExtraError, validation
 from skylight_sh.light.protocol import Parameters, RadianceError
 from skylight_sh.light.validation import at, span
 from skylight_sh.quadrature import parameter_points as parameter_sets
@@ -72,8 +72,7 @@ def vet(light: Light, ranges: Ranges) -> None:
             question = _question(light, told, ranges)
             if told.hints.prefactor:
                 fixed = {key: np.full(len(question.sets), value) for key, value in _fixed(light).items()}
-                known = PREFACTORS.get(told.hints.prefactor.name)
-                validation.check_prefactor(told.hints.prefactor, question.named(question.sets) | fixed, known)
+                validation.check_prefactor(told.hints.prefactor, question.named(question.sets) | fixed)
             _check_radiance(question)
     except RadianceError:
         raise

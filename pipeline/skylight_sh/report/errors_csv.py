@@ -9,6 +9,7 @@ import pandas as pd
 
 from skylight_sh import sphere
 from skylight_sh.report.report_data import Entry, Material
+from skylight_sh.table.size import bytes_of, coefficients_of
 
 # A hundredth of the tightest budget that is asked for. Finer figures would hang on the last bits of who computed them.
 _FINEST = 5e-7
@@ -93,7 +94,7 @@ def _rows(material: Material, entry: Entry) -> Iterator[dict[str, object]]:
     for c, channel, bands in np.ndindex(entry.e_mean.shape):
         yield {
             "table": entry.name,
-            "basis": table.basis,
+            "basis": table.spec.basis,
             **{f"degree_{a.name}": d for a, d in zip(table.axes, table.degrees, strict=True)},
             "dtype": str(table.dtype),
             "bands": bands + 1,
@@ -103,6 +104,6 @@ def _rows(material: Material, entry: Entry) -> Iterator[dict[str, object]]:
             "e_mean": entry.e_mean[c, channel, bands],
             "rel_l2": entry.rel_l2[channel, bands],
             **{f"{a.name}_at_worst": entry.at[c, channel, bands, i] for i, a in enumerate(material.axes)},
-            "coefficients": table.coefficients,
-            "bytes": table.bytes,
+            "coefficients": coefficients_of(table),
+            "bytes": bytes_of(table),
         }

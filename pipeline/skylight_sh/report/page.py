@@ -13,6 +13,7 @@ from skylight_sh.report import savings
 from skylight_sh.report.figures import PICTURES
 from skylight_sh.report.report_data import Entry, Material
 from skylight_sh.report.style import percent
+from skylight_sh.table.size import bytes_of, coefficients_of
 
 
 def html(material: Material, pictures: Sequence[str]) -> bytes:
@@ -39,12 +40,12 @@ def _row(material: Material, entry: Entry, bands: int) -> dict[str, Any]:
     return {
         "name": entry.name,
         "bands": bands,
-        "basis": entry.table.basis,
+        "basis": entry.table.spec.basis,
         "degrees": ", ".join(map(str, entry.table.degrees)),
         "dtype": str(entry.table.dtype),
         "layout": entry.table.body.kind,
-        "coefficients": entry.table.coefficients,
-        "bytes": entry.table.bytes_at(bands),
+        "coefficients": coefficients_of(entry.table),
+        "bytes": bytes_of(entry.table, bands),
         "e_mean": percent(e_mean),
         "e_max": percent(e_max),
         "stricter": strict,

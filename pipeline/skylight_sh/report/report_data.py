@@ -15,8 +15,7 @@ from skylight_sh.fit.axis import Axis
 from skylight_sh.fit.errors import published
 from skylight_sh.light.protocol import Light
 from skylight_sh.report import ringing
-from skylight_sh.table.surroundings import Surroundings
-from skylight_sh.table.table import Table
+from skylight_sh.runtime import Surroundings, Table
 
 Array = NDArray[np.float64]
 

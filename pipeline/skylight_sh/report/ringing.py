@@ -17,7 +17,7 @@ from skylight_sh import sphere
 from skylight_sh.fit.axis import Axis
 from skylight_sh.light.protocol import Light
 from skylight_sh.report import panorama
-from skylight_sh.table.table import Table
+from skylight_sh.runtime import Table
 
 Array = NDArray[np.float64]
 
@@ -96,8 +96,8 @@ def study(light: Light, axes: Sequence[Axis], table: Table, most: int, weights_o
     ``weights_of`` gives a set's ``(axes,)`` true SH weights, ``(channels, most * most)``. None for fewer bands, and where
     weights are windowed, lit from below, hold a sun or are no radiance.
     """
-    bands = tuple(range(3, min(most, 10) + 1))
-    if table.windowed or table.quantity != "radiance" or table.ground != "black" or table.sun_disc or not bands:
+    spec, bands = table.spec, tuple(range(3, min(most, 10) + 1))
+    if spec.windowed or spec.quantity != "radiance" or spec.ground != "black" or spec.sun_disc or not bands:
         return None
     row = light.luminance_row
     each = round(_SETS ** (1 / len(axes)))

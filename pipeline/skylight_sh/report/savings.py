@@ -6,6 +6,7 @@ import numpy as np
 
 from skylight_sh import sphere
 from skylight_sh.report.report_data import Material
+from skylight_sh.table.row_layout import layout
 
 
 def rows(material: Material) -> list[tuple[str, str]]:
@@ -25,7 +26,7 @@ def rows(material: Material) -> list[tuple[str, str]]:
     if scene["channels"] == "luminance" and channels == 1:
         found.append(("colour", "1 channel instead of 3: a third of the radiance's colours, fits and outputs"))
     if scene["quantity"] == "irradiance":
-        kept = [place for place in table.layout.places if place]
+        kept = [place for place in layout(table.spec, table.bands).places if place]
         all_ = sphere.count(bands, mirrored=material.mirrored) * channels
         found.append(("bands l = 3, 5, .., which carry no irradiance", f"{len(kept)} instead of {all_} columns"))
     if scene["azimuth"] is not None:

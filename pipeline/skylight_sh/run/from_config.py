@@ -1,4 +1,4 @@
-"""A config and the steps' results as the plain objects that the numerics take: scene, factor, frame, what errors are of."""
+"""A config and the steps' results as the plain objects that the numerics take: scene, factor, specification, errors."""
 
 from __future__ import annotations
 
@@ -8,19 +8,21 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from skylight_sh import runtime
 from skylight_sh.config.schema import Config
-from skylight_sh.export import npz
 from skylight_sh.fit.errors import Reference, mean_luminance
 from skylight_sh.light.preetham import Preetham
 from skylight_sh.quadrature import parameter_points
 from skylight_sh.run.config_axes import VARIABLES, axes_of
 from skylight_sh.run.plan import Inputs
+from skylight_sh.runtime import Scale, Specification, Surroundings, Table
 from skylight_sh.scene.fold import Scene, Sun, fold, luminance_scale
 from skylight_sh.store.dataset import Dataset
 from skylight_sh.table.grid_fit import GridFit
-from skylight_sh.table.prefactor import ClosedForm, Factor, Reciprocal
-from skylight_sh.table.surroundings import PARTS, Surroundings
-from skylight_sh.table.table import Frame, Table
+from skylight_sh.table.prefactor import closed_form, reciprocal
+from skylight_sh.table.surroundings import PARTS
+from skylight_sh.table.table import specification
+from skylight_sh.table.twilight import TWILIGHT
 
 Array = NDArray[np.float64]
 
@@ -48,15 +50,15 @@ def _sun(config: Config) -> Sun | None:
     return Sun(peak, "turbidity", light.colour_space, light.luminance_row if config.scene.channels == "luminance" else None)
 
 
-def factor_of(config: Config, inputs: Inputs) -> Factor | None:
+def scale_of(config: Config, inputs: Inputs) -> Scale | None:
     """Return what the fit divides by: the light's closed form, a polynomial's reciprocal found in samples, or nothing."""
+    axes = tuple(axis.specified for axis in axes_of(config, inputs))
     if config.fit.prefactor == "auto":
-        return Reciprocal(inputs[VARIABLES]["denominator"])
+        return reciprocal(inputs[VARIABLES]["denominator"], axes)
     hint = config.source.hints.prefactor
     if not (config.fit.prefactor and hint):
         return None
-    fixed = {name: value for name, value in config.scene.fixed.items() if name in hint.axes}
-    return ClosedForm(hint.name, hint.constants, tuple(sorted(fixed.items())))
+    return closed_form(hint, axes, config.scene.fixed)
 
 
 def surrounded(config: Config) -> tuple[str, ...]:
@@ -73,22 +75,22 @@ def surroundings_of(inputs: Inputs) -> dict[int, Surroundings]:
     return {n: Surroundings(*(made[f"{part}/{n}"] for part in PARTS)) for n in bands}
 
 
-def frame_of(config: Config, inputs: Inputs, *, mirrored: bool) -> Frame:
+def specification_of(config: Config, inputs: Inputs, *, mirrored: bool) -> Specification:
     """Return what all tables of a run's fit have in common: axes, channels, factor, and what the scene folds in."""
     scene = config.scene
-    return Frame(
+    return specification(
         axes_of(config, inputs),
         config.source.channels,
         mirrored,
         config.fit.basis,
-        factor_of(config, inputs),
+        scale_of(config, inputs),
         quantity=scene.quantity,
         windowed=scene.window,
         azimuth=scene.azimuth,
-        ground=scene.ground if isinstance(scene.ground, str) else f"albedo {', '.join(f'{a:g}' for a in scene.ground)}",
+        ground=scene.ground,
         sun_disc=scene.sun_disc,
-        twilight=scene.twilight,
-        surroundings=surroundings_of(inputs),
+        peak_axis=config.source.hints.peak_axis,
+        twilight=TWILIGHT if scene.twilight else None,
     )
 
 
@@ -100,8 +102,8 @@ def degree_ranges(config: Config) -> list[range]:
 def fit_of(config: Config, inputs: Inputs) -> GridFit:
     """Return what the step ``fit`` has fitted."""
     made = inputs["fit"]
-    axes, factor = axes_of(config, inputs), factor_of(config, inputs)
-    return GridFit(made["coefficients"], axes, config.fit.basis, factor, float(made["condition"]))
+    axes, scale = axes_of(config, inputs), scale_of(config, inputs)
+    return GridFit(made["coefficients"], axes, config.fit.basis, scale, float(made["condition"]))
 
 
 def selected_on(config: Config) -> tuple[str, ...]:
@@ -139,4 +141,4 @@ def reference(config: Config, sets: Array, radiance: Array, degrees: NDArray[np.
 
 def read_table(artifact: Dataset, name: str) -> Table:
     """Return a table that ``fit`` or ``select`` made; ``name`` starts with references/ or tables/."""
-    return npz.read(io.BytesIO(artifact[f"{name}/npz"].tobytes()))
+    return runtime.read(io.BytesIO(artifact[f"{name}/npz"].tobytes()))

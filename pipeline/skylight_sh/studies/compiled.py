@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from skylight_sh.export import c_header
-from skylight_sh.table.table import Table
+from skylight_sh.runtime import Table
 
 PREFIX = "bench_sh"
 _FACTS = c_header.Facts("benchmark", 0.0, 0.0, "per-set", [])

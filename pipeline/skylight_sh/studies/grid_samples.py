@@ -10,12 +10,13 @@ from numpy.typing import NDArray
 
 from skylight_sh import sphere
 from skylight_sh.config.schema import Config
+from skylight_sh.fit.axis import Axis, of_table
 from skylight_sh.fit.errors import Reference
 from skylight_sh.quadrature import parameter_points, sampling
 from skylight_sh.quadrature.registry import suited
 from skylight_sh.run.config_axes import fit_nodes, is_searched
-from skylight_sh.run.from_config import frame_of, reference
-from skylight_sh.table.table import Frame, Table
+from skylight_sh.run.from_config import reference, specification_of
+from skylight_sh.runtime import Specification, Table
 
 Array = NDArray[np.float64]
 
@@ -26,11 +27,12 @@ _NODES = 56
 class Samples:
     """Weights on the fit grid, ``(n_1, .., n_D, channels, count)``: all N*N (``full``) and m >= 0 alone (``half``).
 
-    ``frame`` has the run's own axes, changes of variable and factor.
+    ``spec`` and ``axes`` are the run's own, with its changes of variable and factor.
     """
 
     config: Config
-    frame: Frame
+    spec: Specification
+    axes: tuple[Axis, ...]
     nodes: list[Array]
     full: Array
     half: Array
@@ -44,20 +46,21 @@ def sample(config: Config, bands: int, random: int = 400, like: Table | None = N
     """
     config = config.model_copy(update={"truth": config.truth.model_copy(update={"bands": bands})})
     ranges = [axis.range for axis in config.axes]
-    frame = _frame(config, like)
-    nodes = fit_nodes(config, frame.axes)
+    spec = _specification(config, like)
+    axes = tuple(of_table(axis) for axis in spec.axes)
+    nodes = fit_nodes(config, axes)
     grid = measured_at(config, parameter_points.grid(nodes)).weights
     half = grid.reshape(*(n.size for n in nodes), *grid.shape[1:])
     corners = parameter_points.grid([np.array(r) for r in ranges])
     sets = np.concatenate([corners, parameter_points.random(ranges, random, 77)])
     full = np.asarray(sphere.unmirror(half, bands), dtype=np.float64)
-    return Samples(config, frame, nodes, full, half, measured_at(config, sets))
+    return Samples(config, spec, axes, nodes, full, half, measured_at(config, sets))
 
 
-def _frame(config: Config, like: Table | None) -> Frame:
+def _specification(config: Config, like: Table | None) -> Specification:
     if like is not None and is_searched(config):
-        return Frame(like.axes, like.channels, True, like.basis, like.factor)
-    return frame_of(config, {}, mirrored=True)
+        return Specification(like.axes, like.channels, True, like.spec.basis, like.spec.scale)
+    return specification_of(config, {}, mirrored=True)
 
 
 def measured_at(config: Config, sets: Array) -> Reference:

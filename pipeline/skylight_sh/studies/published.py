@@ -6,8 +6,8 @@ import json
 from dataclasses import replace
 from pathlib import Path
 
-from skylight_sh.export import npz
-from skylight_sh.table.table import Table
+from skylight_sh import runtime
+from skylight_sh.runtime import Table
 
 
 def exported(folder: Path) -> tuple[dict[str, Table], dict[str, float]]:
@@ -16,10 +16,10 @@ def exported(folder: Path) -> tuple[dict[str, Table], dict[str, float]]:
     if not summary.is_file():
         raise OSError(f"{folder} holds no summary.json. Run `make fit` with the same config first.")
     rows = json.loads(summary.read_text(encoding="utf-8"))["tables"]
-    read = {row["name"]: npz.read(folder / row["path"] / "skylight_sh.npz") for row in rows}
+    read = {row["name"]: runtime.read(folder / row["path"] / "skylight_sh.npz") for row in rows}
     # What is measured is the sky: of what stands about it the truth knows nothing.
     tables = {name: replace(table, surroundings=None) for name, table in read.items()}
-    if not all(table.mirrored for table in tables.values()):
+    if not all(table.spec.mirrored for table in tables.values()):
         raise OSError(
             f"{folder} holds tables of all orders; benchmarks and stresses are for mirror-symmetric lights and "
             'truth.orders = "auto". Give such a config.'

@@ -11,13 +11,13 @@ from numpy.typing import NDArray
 
 from skylight_sh.fit import least_squares
 from skylight_sh.fit.axis import Axis
-from skylight_sh.fit.bases import BASES
+from skylight_sh.formula.bases import BASES
 from skylight_sh.quadrature import parameter_points
+from skylight_sh.runtime import Scale, Table
 from skylight_sh.studies.grid_samples import Samples
-from skylight_sh.table import prefactor as factors
+from skylight_sh.table import prefactor
 from skylight_sh.table import table as tables
-from skylight_sh.table.prefactor import Factor
-from skylight_sh.table.table import Frame, Table, whole
+from skylight_sh.table.table import specification, whole
 
 Array = NDArray[np.float64]
 OWN = "config"
@@ -30,7 +30,7 @@ class Trial:
     dense: Array
     axes: tuple[Axis, ...]
     basis: str
-    factor: Factor | None
+    factor: Scale | None
     condition: float
 
     def products(self, where: Array) -> Array:
@@ -46,9 +46,7 @@ def paper_degrees(samples: Samples) -> list[int]:
 
 def factor_of(samples: Samples, kind: str, where: Array) -> Array:
     """Return what the weights at ``where`` ``(n, axes)`` are divided by, ``(n,)``."""
-    return np.asarray(
-        factors.evaluate(samples.frame.factor if kind == OWN else None, samples.frame.axes, where), dtype=np.float64
-    )
+    return np.asarray(prefactor.evaluate(samples.spec.scale if kind == OWN else None, where), dtype=np.float64)
 
 
 def system(
@@ -60,7 +58,7 @@ def system(
     config's own and its prefactor.
     """
     config = samples.config
-    axes = samples.frame.axes if kind == OWN else tuple(Axis(a.name, *a.range, map=kind) for a in config.axes)
+    axes = samples.axes if kind == OWN else tuple(Axis(a.name, *a.range, map=kind) for a in config.axes)
     shape = values.shape[:-2]
     grid = parameter_points.grid(samples.nodes)
     right = values / factor_of(samples, kind, grid).reshape(*shape, 1, 1)
@@ -79,12 +77,12 @@ def fit(samples: Samples, values: Array, degrees: Sequence[int], basis: str, sol
         dense=solution.reshape(*values.shape[-2:], *solution.shape[1:]),
         axes=axes,
         basis=basis,
-        factor=samples.frame.factor if kind == OWN else None,
+        factor=samples.spec.scale if kind == OWN else None,
         condition=least_squares.condition(matrices),
     )
 
 
 def table_of(samples: Samples, made: Trial, dtype: str) -> Table:
     """Return a trial as a table of all its coefficients in ``dtype``."""
-    frame = Frame(made.axes, samples.frame.channels, True, made.basis, made.factor)
-    return whole(frame, made.dense, samples.config.truth.bands, dtype)
+    spec = specification(made.axes, samples.spec.channels, True, made.basis, made.factor)
+    return whole(spec, made.dense, samples.config.truth.bands, dtype)

@@ -1,4 +1,7 @@
-"""Whole numbers as bits, least significant bit of each byte first: fixed widths, unary counts and Rice codes."""
+"""Whole numbers as bits, least significant bit of each byte first: fixed widths, unary counts and Rice codes.
+
+``runtime.BitReader`` reads them back.
+"""
 
 from __future__ import annotations
 
@@ -37,28 +40,3 @@ class Writer:
     def bytes(self) -> bytes:
         """Return what was written, the last byte filled up with zeros."""
         return np.packbits(np.array(self._bits, dtype=np.uint8), bitorder="little").tobytes()
-
-
-class Reader:
-    """Reads back what ``Writer`` wrote. Raises IndexError beyond the end."""
-
-    def __init__(self, data: bytes) -> None:
-        self._bits = np.unpackbits(np.frombuffer(data, dtype=np.uint8), bitorder="little").tolist()
-        self._at = 0
-
-    def fixed(self, width: int) -> int:
-        """Read ``width`` bits as a number of at least 0."""
-        start, self._at = self._at, self._at + width
-        if self._at > len(self._bits):
-            raise IndexError("The bits of a packed table end early.")
-        return sum(bit << i for i, bit in enumerate(self._bits[start : self._at]))
-
-    def rice(self, low_bits: int) -> int:
-        """Read a signed number written with ``low_bits``."""
-        high = 0
-        while self._bits[self._at]:
-            high += 1
-            self._at += 1
-        self._at += 1
-        folded = (high << low_bits) | self.fixed(low_bits)
-        return -(folded + 1) // 2 if folded & 1 else folded // 2

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 from skylight_sh import sphere
 from skylight_sh.fit import peaks
 from skylight_sh.fit.errors import Reference, by_band, e_means
+from skylight_sh.runtime import Table
 from skylight_sh.table import validation
-from skylight_sh.table.table import Table, full_weights
 
 Array = NDArray[np.float64]
 Floats = NDArray[np.floating]
@@ -67,10 +67,14 @@ def least_reconstructed(table: Table, parameters: Array, luminance_row: Array) -
     are in it, with the suns of the sets spread over all azimuths.
     """
     weights: Floats = table.evaluate(parameters).astype(np.float64)
-    mirrored = table.mirrored
+    mirrored = table.spec.mirrored
     if table.surroundings:
-        azimuths = np.linspace(0.0, 2.0 * np.pi, len(parameters), endpoint=False) if table.azimuth is None else table.azimuth
-        turned = sphere.rotate_azimuth(full_weights(table, weights, table.bands), np.reshape(azimuths, (-1, 1)))
+        azimuths = (
+            np.linspace(0.0, 2.0 * np.pi, len(parameters), endpoint=False)
+            if table.spec.azimuth is None
+            else table.spec.azimuth
+        )
+        turned = sphere.rotate_azimuth(table.whole(weights), np.reshape(azimuths, (-1, 1)))
         weights, mirrored = table.surroundings.apply(turned, table.bands), False
     basis = sphere.basis(sphere.spiral(2000), table.bands, mirrored=mirrored)
     luminance = np.einsum("ncw,c->nw", weights, luminance_row) @ basis.T

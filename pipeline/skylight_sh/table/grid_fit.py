@@ -10,12 +10,12 @@ from numpy.typing import NDArray
 
 from skylight_sh.fit import least_squares
 from skylight_sh.fit.axis import Axis
-from skylight_sh.fit.bases import BASES
 from skylight_sh.fit.errors import Reference
 from skylight_sh.fit.sweep import Worst, sweep
+from skylight_sh.formula.bases import BASES
 from skylight_sh.quadrature import parameter_points
-from skylight_sh.table import prefactor as factors
-from skylight_sh.table.prefactor import Factor
+from skylight_sh.runtime import Scale
+from skylight_sh.table import prefactor
 
 Array = NDArray[np.float64]
 
@@ -27,30 +27,30 @@ TENSOR = "tensor"
 class GridFit:
     """Coefficients ``dense`` ``(channels, count, d_1+1, .., d_D+1)`` of products of a ``basis`` over ``axes``.
 
-    ``factor`` multiplies the polynomials; ``condition`` is the condition number of the whole system of equations.
+    ``scale`` multiplies the polynomials; ``condition`` is the condition number of the whole system of equations.
     """
 
     dense: Array
     axes: tuple[Axis, ...]
     basis: str
-    factor: Factor | None
+    scale: Scale | None
     condition: float
 
 
-def factor_at(factor: Factor | None, axes: Sequence[Axis], sets: Array) -> Array:
+def factor_at(scale: Scale | None, sets: Array) -> Array:
     """Return the factor at parameter sets ``(n, axes)`` in double precision, ``(n,)``; ones where there is none."""
-    return np.asarray(factors.evaluate(factor, axes, sets), dtype=np.float64)
+    return np.asarray(prefactor.evaluate(scale, sets), dtype=np.float64)
 
 
 def system(
-    samples: Array, axes: Sequence[Axis], nodes: Sequence[Array], degrees: Sequence[int], basis: str, factor: Factor | None
+    samples: Array, axes: Sequence[Axis], nodes: Sequence[Array], degrees: Sequence[int], basis: str, scale: Scale | None
 ) -> tuple[Array, list[Array]]:
     """Return the right side ``(n_1, .., n_D, outputs)`` and the basis ``(n_a, d_a+1)`` at each axis's ``nodes``.
 
     ``samples`` ``(n_1, .., n_D, channels, count)`` are divided by the factor.
     """
     shape = samples.shape[:-2]
-    right = samples / factor_at(factor, axes, parameter_points.grid(list(nodes))).reshape(*shape, 1, 1)
+    right = samples / factor_at(scale, parameter_points.grid(list(nodes))).reshape(*shape, 1, 1)
     vander = BASES[basis].vander
     matrices = [np.asarray(vander(a.scaled(n), d), dtype=np.float64) for a, n, d in zip(axes, nodes, degrees, strict=True)]
     return right.reshape(*shape, -1), matrices
@@ -63,16 +63,16 @@ def fit(
     degrees: Sequence[int],
     basis: str,
     solver: str,
-    factor: Factor | None,
+    scale: Scale | None,
 ) -> GridFit:
     """Fit ``samples`` as ``system`` sets it up. Raises LinAlgError where the solver gives up, ValueError for another one."""
-    right, matrices = system(samples, axes, nodes, degrees, basis, factor)
+    right, matrices = system(samples, axes, nodes, degrees, basis, scale)
     if solver == TENSOR:
         solution = least_squares.fit_tensor(right, matrices)
     else:
         solution = least_squares.fit_full(right, matrices, solver)
     dense = solution.reshape(*samples.shape[-2:], *solution.shape[1:])
-    return GridFit(dense, axes, basis, factor, least_squares.condition(matrices))
+    return GridFit(dense, axes, basis, scale, least_squares.condition(matrices))
 
 
 def swept(made: GridFit, reference: Reference, degrees: Sequence[Sequence[int]], bands: int) -> Worst:
@@ -82,5 +82,5 @@ def swept(made: GridFit, reference: Reference, degrees: Sequence[Sequence[int]],
         vander(axis.scaled(reference.parameters[:, i]), size - 1)
         for i, (axis, size) in enumerate(zip(made.axes, made.dense.shape[2:], strict=True))
     ]
-    factor = factor_at(made.factor, made.axes, reference.parameters)
+    factor = factor_at(made.scale, reference.parameters)
     return sweep(made.dense, vanders, factor, reference, degrees, bands)

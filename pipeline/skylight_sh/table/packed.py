@@ -23,7 +23,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from skylight_sh.table.bits import Reader, Writer, rice_bits, zigzag
+from skylight_sh.runtime import Packed
+from skylight_sh.table.bits import Writer, rice_bits, zigzag
 
 Array = NDArray[np.float64]
 Index = NDArray[np.int64]
@@ -35,36 +36,6 @@ _ROUNDS = 6
 # A typical number's folded magnitude exceeds the best Rice divisor by this many half bits.
 _ABOVE_DIVISOR = 1.2
 _STEPS = np.array([0, -1, 1, -2, 2])
-
-
-@dataclass(frozen=True)
-class Packed:
-    """A stream and what its reader needs: a coefficient is ``step`` times its whole number.
-
-    ``degrees`` ``(count,)`` are the weights' bands, ``first`` the longest run of the first axis.
-    """
-
-    stream: bytes
-    degrees: Index
-    first: int
-    rest_profile: Index
-    channel_profile: Index
-    step: float
-
-    @property
-    def kind(self) -> str:
-        """Name of this body in files."""
-        return "packed"
-
-    @property
-    def dtype(self) -> np.dtype[np.floating]:
-        """Number type of the arithmetic."""
-        return np.dtype(np.float32)
-
-    @property
-    def bytes(self) -> int:
-        """Size of stream and profiles, one byte a profile's entry; step, axes and factor are the table's."""
-        return len(self.stream) + self.rest_profile.size + self.channel_profile.size
 
 
 @dataclass(frozen=True)
@@ -177,22 +148,4 @@ def pack(numbers: Index, degrees: Index, step: float = 1.0) -> Packed:
                 level = int(profiles.band[band, i] + profiles.rest[rest] + profiles.channel[channel])
                 writer.rice(int(numbers[w, channel, i, rest]), max(level, 0) >> 1)
         before = layout.lengths[w]
-    return Packed(writer.bytes(), degrees, max(1, int(used.max())), profiles.rest, profiles.channel, step)
-
-
-def unpack(packed: Packed, bands: int | None = None) -> Index:
-    """Return the whole numbers ``(count, channels, first, rest)`` of the first ``bands`` bands, or of all."""
-    degrees = packed.degrees if bands is None else packed.degrees[packed.degrees < bands]
-    reader = Reader(packed.stream)
-    numbers = np.zeros((degrees.size, packed.channel_profile.size, packed.first, packed.rest_profile.size), dtype=np.int64)
-    lengths = np.zeros((packed.channel_profile.size, packed.rest_profile.size), dtype=np.int64)
-    profile: list[int] = []
-    for w, band in enumerate(degrees.tolist()):
-        if w == 0 or band != degrees[w - 1]:
-            profile = [reader.fixed(_FIELD) for _ in range(reader.fixed(_FIELD))]
-        for channel, rest in np.ndindex(*lengths.shape):
-            lengths[channel, rest] += reader.rice(0)
-            level = int(packed.rest_profile[rest] + packed.channel_profile[channel])
-            for i in range(int(lengths[channel, rest])):
-                numbers[w, channel, i, rest] = reader.rice(max(profile[i] + level, 0) >> 1)
-    return numbers
+    return Packed(writer.bytes(), max(1, int(used.max())), profiles.rest, profiles.channel, step)

@@ -1,62 +1,66 @@
-"""What the polynomials are multiplied by: a light's closed form, or the reciprocal of a polynomial found from samples."""
+"""What all weights of a table are multiplied with: a light's closed form, or the reciprocal of a polynomial in samples."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from skylight_sh.fit.axis import Axis
-from skylight_sh.fit.bases import BASES
-from skylight_sh.light import PREFACTORS
+from skylight_sh.formula.bases import BASES
+from skylight_sh.formula.expression import expression, expressions, trace
+from skylight_sh.light.protocol import Prefactor
+from skylight_sh.runtime import Axis, Scale
 
 Array = NDArray[np.float64]
 Floats = NDArray[np.floating]
 
-
-@dataclass(frozen=True)
-class ClosedForm:
-    """The prefactor ``name`` of a light, with its ``constants``; ``fixed`` are parameters that are no axes any more."""
-
-    name: str
-    constants: tuple[float, ...]
-    fixed: tuple[tuple[str, float], ...] = ()
-
-    @property
-    def numbers(self) -> int:
-        """How many numbers an evaluation reads, those written into the code included."""
-        return len(self.constants) + len(self.fixed) + PREFACTORS[self.name].literals
+CLOSED_FORM, RECIPROCAL = "closed form", "reciprocal"
 
 
-@dataclass(frozen=True)
-class Reciprocal:
-    """1 over a Chebyshev polynomial in the table's own variables: ``coefficients`` ``(d_1+1, .., d_D+1)``."""
+def closed_form(prefactor: Prefactor, axes: Sequence[Axis], fixed: Mapping[str, float] | None = None) -> Scale:
+    """Return a light's ``prefactor`` over ``axes``; parameters that are no axes any more are ``fixed``."""
+    known = {name: value for name, value in sorted((fixed or {}).items()) if name in prefactor.axes}
 
-    coefficients: Floats
+    def formula(*arguments: Any) -> list[Any]:
+        *values, constants = arguments
+        named = dict(zip((axis.name for axis in axes), values, strict=True))
+        named |= {name: expression(value) for name, value in known.items()}
+        return [prefactor.formula(*(named[name] for name in prefactor.axes), constants)]
 
-    @property
-    def numbers(self) -> int:
-        """How many numbers an evaluation reads."""
-        return int(self.coefficients.size)
+    program = trace(formula, [axis.name for axis in axes], prefactor.constants)
+    return Scale(CLOSED_FORM, prefactor.name, program, tuple(known.items()))
 
 
-Factor = ClosedForm | Reciprocal
+def reciprocal(coefficients: Floats, axes: Sequence[Axis]) -> Scale:
+    """Return 1 over the Chebyshev polynomial of ``coefficients`` ``(d_1+1, .., d_D+1)`` in the axes' own variables."""
+    functions = BASES["chebyshev"]
+
+    def formula(*arguments: Any) -> list[Any]:
+        *values, constants = arguments
+        sums: dict[tuple[int, ...], Any] = dict(zip(np.ndindex(*coefficients.shape), constants, strict=True))
+        for axis, value, size in zip(axes, values, coefficients.shape, strict=True):
+            # The first axis left is summed over, again and again, in a fixed order.
+            terms = expressions(functions.program(size - 1), expressions(axis.variable, [value]))
+            rest = dict.fromkeys(index[1:] for index in sums)
+            sums = {index: sum((sums[k, *index] * terms[k] for k in range(size)), start=expression(0.0)) for index in rest}
+        return [1 / sums[()]]
+
+    program = trace(formula, [axis.name for axis in axes], coefficients.ravel().tolist())
+    return Scale(RECIPROCAL, "polynomial", program)
 
 
-def evaluate(factor: Factor | None, axes: Sequence[Axis], values: Floats) -> Floats:
+def evaluate(scale: Scale | None, values: Floats) -> Floats:
     """Return the factor at parameter sets ``(n, axes)``, shape ``(n,)``, in their dtype; ones where there is none."""
-    if factor is None:
+    if scale is None:
         return np.ones(len(values), dtype=values.dtype)
-    if isinstance(factor, ClosedForm):
-        named = {axis.name: np.ascontiguousarray(values[:, i]) for i, axis in enumerate(axes)}
-        named |= {name: np.full(len(values), value, dtype=values.dtype) for name, value in factor.fixed}
-        return np.asarray(PREFACTORS[factor.name].evaluate(named, factor.constants), dtype=values.dtype)
-    out: Floats = np.broadcast_to(factor.coefficients.astype(values.dtype), (len(values), *factor.coefficients.shape))
-    for i, axis in enumerate(axes):
-        # The first axis left is summed over, again and again, in a fixed order.
-        vander = BASES["chebyshev"].vander(axis.scaled(np.ascontiguousarray(values[:, i])), factor.coefficients.shape[i] - 1)
-        terms = (out[:, k] * vander[:, k].reshape(-1, *(1,) * (out.ndim - 2)) for k in range(out.shape[1]))
-        out = sum(terms, start=np.zeros(1, dtype=values.dtype))
-    return np.asarray(1 / out, dtype=values.dtype)
+    found = scale.program.run([np.ascontiguousarray(values[:, i]) for i in range(values.shape[1])])[0]
+    return np.broadcast_to(found, len(values))
+
+
+def numbers(scale: Scale | None) -> int:
+    """Return how many numbers an evaluation of the factor reads, those that stand in a closed form itself included."""
+    if scale is None:
+        return 0
+    return len(scale.program.constants) + (scale.program.literals if scale.kind == CLOSED_FORM else 0)

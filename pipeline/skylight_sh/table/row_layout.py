@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from skylight_sh import sphere
+from skylight_sh.runtime import Specification
 
 Place = tuple[int, int, int]
 _FOUR = 4
@@ -33,16 +33,21 @@ class Layout:
         return np.array([[found.get((l, c, m), -1) for l, m in zip(degrees, orders, strict=True)] for c in range(channels)])
 
 
-def layout(bands: int, channels: int, *, mirrored: bool, degrees: Sequence[int] | None = None) -> Layout:
-    """Lay out all outputs, or those of ``degrees`` alone.
+def carried(quantity: str, bands: int) -> tuple[int, ...]:
+    """Return the degrees l that carry any of ``quantity``: all, or l = 1 and the even ones for diffuse irradiance."""
+    return tuple(l for l in range(bands) if quantity == "radiance" or l == 1 or l % 2 == 0)
+
+
+def layout(spec: Specification, bands: int) -> Layout:
+    """Lay out the outputs of a table of ``bands`` bands that carry anything.
 
     Where orders m < 0 are not stored, every run m = 0..l of one band and channel splits into a remainder m < (l+1) % 4
     and fours that start at multiples of 4, which a compiler turns by the azimuth and stores as one vector. Gaps before
     a four are filled with remainders of later bands, so that little is padding.
     """
     places: list[Place | None] = []
-    kept = range(bands) if degrees is None else degrees
-    if mirrored:
+    kept, channels = carried(spec.quantity, bands), len(spec.channels)
+    if spec.mirrored:
         rest = [(l, c, m) for l in kept for c in range(channels) for m in range((l + 1) % _FOUR)]
         for l in kept:
             while rest and rest[0][0] <= l:

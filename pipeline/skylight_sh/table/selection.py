@@ -5,25 +5,27 @@ What is decided here hangs on rounded numbers alone, so that every machine selec
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from skylight_sh import UserError, sphere
+from skylight_sh.fit.axis import Axis
 from skylight_sh.fit.errors import Reference, l_min
 from skylight_sh.fit.minimax import Sampled, even, metric
 from skylight_sh.fit.quantisation import smallest
 from skylight_sh.fit.sweep import Worst
 from skylight_sh.fit.term_selection import fewest
 from skylight_sh.reproducible import significant, to_grid
+from skylight_sh.runtime import Specification, Surroundings, Table
 from skylight_sh.table import packed
 from skylight_sh.table import table as tables
 from skylight_sh.table.errors import headline
 from skylight_sh.table.grid_fit import factor_at
 from skylight_sh.table.request import Request
-from skylight_sh.table.table import Frame, Table
+from skylight_sh.table.size import bytes_of
 
 Array = NDArray[np.float64]
 Index = NDArray[np.int64]
@@ -53,15 +55,17 @@ class BudgetError(UserError, RuntimeError):
 
 @dataclass(frozen=True)
 class SearchData:
-    """What every search needs: the frame, the fit grid's sets, weights and L_min, and what errors are checked on.
+    """What every search needs: specification, the fit grid's sets, weights and L_min, and what errors are checked on.
 
-    ``shape`` is that of the fit grid, ``checked_shape`` that of the grid at the start of ``reference``; ``degrees`` the
-    largest, an axis; ``swept`` ``(combinations, axes)`` the degrees of the sweep and ``swept_error`` ``(combinations,
-    channels, bands)`` their E_mean. ``window(bands)`` is what a table of so many bands multiplies its weights with,
-    ``(count,)``.
+    ``axes`` are the specification's as the fit has them, ``surroundings`` those of each number of bands; ``shape`` is that
+    of the fit grid, ``checked_shape`` that of the grid at the start of ``reference``; ``degrees`` the largest, an axis;
+    ``swept`` ``(combinations, axes)`` the degrees of the sweep and ``swept_error`` ``(combinations, channels, bands)`` their
+    E_mean. ``window(bands)`` is what a table of so many bands multiplies its weights with, ``(count,)``.
     """
 
-    frame: Frame
+    spec: Specification
+    axes: tuple[Axis, ...]
+    surroundings: Mapping[int, Surroundings]
     sets: Array
     weights: Array
     least: Array
@@ -96,7 +100,9 @@ class Selected:
 
 
 def search_data(
-    frame: Frame,
+    spec: Specification,
+    axes: tuple[Axis, ...],
+    surroundings: Mapping[int, Surroundings],
     grid: Reference,
     shape: tuple[int, ...],
     reference: Reference,
@@ -113,7 +119,7 @@ def search_data(
     least = significant(next(iter(l_min(least, grid.mean).values())), _WEIGHT_BITS)
     errors = next(iter(sweep.e_mean.values()))
     return SearchData(
-        *(frame, grid.parameters, grid.weights, least, shape, checked_shape, degrees, reference),
+        *(spec, axes, surroundings, grid.parameters, grid.weights, least, shape, checked_shape, degrees, reference),
         *(np.array(sweep.degrees), errors, window),
     )
 
@@ -150,9 +156,9 @@ def given(request: Request, coefficients: Array, data: SearchData) -> Table:
     """Return the table of the degrees that ``request`` gives, cut out of the fit's ``coefficients``, rounded."""
     degrees = request.degrees or ()
     cut = coefficients[(slice(None), slice(None), *(slice(d + 1) for d in degrees))]
-    count = sphere.count(request.bands, mirrored=data.frame.mirrored)
+    count = sphere.count(request.bands, mirrored=data.spec.mirrored)
     cut = cut[:, :count] * data.window(request.bands).reshape(-1, *(1,) * (cut.ndim - 2))
-    return tables.whole(data.frame, _gridded(data, cut, request.dtype), request.bands, request.dtype)
+    return tables.whole(data.spec, _gridded(data, cut, request.dtype), request.bands, request.dtype)
 
 
 def pareto_front(points: Sequence[Point]) -> list[Point]:
@@ -170,7 +176,7 @@ def pareto_front(points: Sequence[Point]) -> list[Point]:
 
 def _gridded(data: SearchData, dense: Array, dtype: str) -> Array:
     """Round coefficients; not those of monomials, whose sums cancel: they are their machine's, as the paper's were."""
-    return dense if data.frame.basis == "monomial" else to_grid(dense, _GRID_BITS[dtype])
+    return dense if data.spec.basis == "monomial" else to_grid(dense, _GRID_BITS[dtype])
 
 
 def _cheapest(request: Request, asked: float, data: SearchData) -> tuple[Table, list[Point]]:
@@ -217,7 +223,7 @@ def _within(request: Request, size: int, data: SearchData) -> tuple[Table, list[
             low = middle
             continue
         front += tried
-        if table.bytes <= size:
+        if bytes_of(table) <= size:
             best, high = table, middle
         else:
             low = middle
@@ -230,10 +236,10 @@ def _within(request: Request, size: int, data: SearchData) -> tuple[Table, list[
 
 
 def _sampled(data: SearchData, sets: Array, weights: Array, least: Array, shape: tuple[int, ...], bands: int) -> Sampled:
-    frame = data.frame
-    count = sphere.count(bands, mirrored=frame.mirrored)
-    scale = factor_at(frame.factor, frame.axes, sets) / least
-    basis = np.asarray(tables.products(frame.basis, frame.axes, sets, data.degrees), dtype=np.float64)
+    spec = data.spec
+    count = sphere.count(bands, mirrored=spec.mirrored)
+    scale = factor_at(spec.scale, sets) / least
+    basis = np.asarray(tables.products(spec.basis, data.axes, sets, data.degrees), dtype=np.float64)
     truth = weights[..., :count] * data.window(bands)
     return Sampled(basis * scale[:, np.newaxis], truth / least[:, np.newaxis, np.newaxis], shape)
 
@@ -253,19 +259,19 @@ def _fast(
     bands, dtype, first = request.bands, request.dtype, data.degrees[0] + 1
     best, tried = fewest(*_both(data, bands), data.shape, first, aim, known)
     rest = tuple(d + 1 for d in data.degrees[1:])
-    empty = np.zeros((len(data.frame.channels), sphere.count(bands, mirrored=data.frame.mirrored), first, *rest))
+    empty = np.zeros((len(data.spec.channels), sphere.count(bands, mirrored=data.spec.mirrored), first, *rest))
 
     def table(lengths: Index, dense: Array) -> Table:
         shaped = _gridded(data, dense.reshape(empty.shape), dtype)
-        return tables.fast(data.frame, shaped, lengths.reshape(rest), bands, dtype)
+        return tables.fast(data.spec, shaped, lengths.reshape(rest), bands, dtype, data.surroundings.get(bands))
 
-    points = [(float(table(k.lengths, empty).bytes), k.error) for k in tried]
+    points = [(float(bytes_of(table(k.lengths, empty))), k.error) for k in tried]
     return (table(best.lengths, best.dense), points, best.lengths) if best else (None, points, None)
 
 
 def _packed(request: Request, aim: float, data: SearchData) -> tuple[Table | None, list[Point]]:
     bands, first = request.bands, data.degrees[0] + 1
-    degrees = sphere.degrees_orders(bands, mirrored=data.frame.mirrored)[0]
+    degrees = sphere.degrees_orders(bands, mirrored=data.spec.mirrored)[0]
 
     def cost(numbers: Index) -> int:
         return packed.cost(numbers.swapaxes(0, 1), degrees)
@@ -273,6 +279,7 @@ def _packed(request: Request, aim: float, data: SearchData) -> tuple[Table | Non
     best, tried = smallest(*_both(data, bands), data.shape, first, aim, cost)
     if best is None:
         return None, [(float(r.cost), r.error) for r in tried]
-    table = tables.small(data.frame, best.numbers.swapaxes(0, 1), best.step, data.degrees, bands)
-    fixed = table.bytes - best.cost
+    numbers, around = best.numbers.swapaxes(0, 1), data.surroundings.get(bands)
+    table = tables.small(data.spec, numbers, best.step, data.degrees, bands, around)
+    fixed = bytes_of(table) - best.cost
     return table, [(float(r.cost + fixed), r.error) for r in tried]

@@ -8,13 +8,12 @@ ground below the skyline reflects what then falls onto the horizontal.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from skylight_sh import sphere
-from skylight_sh.reproducible import product
+from skylight_sh.runtime import Surroundings
 
 Array = NDArray[np.float64]
 Floats = NDArray[np.floating]
@@ -25,40 +24,14 @@ PARTS = ("transfer", "own", "below")
 _NONE: Array = np.zeros(0)
 
 
-@dataclass(frozen=True)
-class Surroundings:
-    """``transfer`` ``(N*N, N*N)``, ``own`` and ``below`` ``(channels, N*N)``; each of size 0 where it does nothing."""
-
-    transfer: Array = field(default_factory=lambda: _NONE)
-    own: Array = field(default_factory=lambda: _NONE)
-    below: Array = field(default_factory=lambda: _NONE)
-
-    @property
-    def numbers(self) -> int:
-        """How many numbers an evaluation reads, whatever the number of bands."""
-        return self.transfer.size + self.own.size + self.below.size
-
-    def apply(self, weights: Floats, bands: int) -> Floats:
-        """Return the first ``bands`` bands of the scene, ``(..., channels, M*M)``, from all ``(..., channels, N*N)``."""
-        real, out = weights.dtype, weights
-        if self.transfer.size:
-            flat = product(weights.reshape(-1, weights.shape[-1]), self.transfer.T.astype(real))
-            out = flat.reshape(*weights.shape[:-1], -1)
-        if self.own.size:
-            out = out + self.own.astype(real)
-        if self.below.size:
-            out = out + self.below.astype(real) * out[..., 2:3]
-        return out[..., : bands * bands]
-
-    @property
-    def gain(self) -> float:
-        """How much E_mean may grow: the largest singular value of the linear part, ground included, of any channel."""
-        if not self.transfer.size:
-            return 1.0
-        linear = self.transfer[np.newaxis]
-        if self.below.size:
-            linear = linear + self.below[:, :, np.newaxis] * self.transfer[2]
-        return float(np.linalg.norm(linear, 2, axis=(1, 2)).max())
+def gain(surroundings: Surroundings) -> float:
+    """Return how much E_mean may grow: the largest singular value of the linear part, ground included, of any channel."""
+    if not surroundings.transfer.size:
+        return 1.0
+    linear = surroundings.transfer[np.newaxis]
+    if surroundings.below.size:
+        linear = linear + surroundings.below[:, :, np.newaxis] * surroundings.transfer[2]
+    return float(np.linalg.norm(linear, 2, axis=(1, 2)).max())
 
 
 def mask_bands(bands: int) -> int:

@@ -8,8 +8,13 @@ the same sky, are those on the horizon. The colours do not change: the model kno
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from numpy.typing import NDArray
+
+from skylight_sh.formula.expression import trace
+from skylight_sh.runtime import Twilight
 
 Floats = NDArray[np.floating]
 
@@ -18,14 +23,18 @@ DEPTH = float(np.radians(12.0))
 END = BEGIN + DEPTH
 # float32 pi / 2 exceeds pi / 2: the rest of it.
 REST = BEGIN - float(np.float32(BEGIN))
-# Headers and shaders write the power as products: 4 + 4 + 2.
+# The formula takes it as products: 4 + 4 + 2.
 POWER = 10
 FORMULA = f"(1 - x)^{POWER} (1 + {POWER} x), x = depth / {np.degrees(DEPTH):.3g} degrees"
 # What an evaluation reads: begin and its rest, end, one over the depth.
 NUMBERS = 4
 
 
-def fade(theta: Floats) -> Floats:
-    """Return the factor of the horizon's weights for sun zenith angles ``theta`` (radians, any shape); 1 above it."""
-    x = np.clip((theta - BEGIN) / DEPTH, 0.0, 1.0)
-    return np.asarray((1.0 - x) ** POWER * (1.0 + POWER * x))
+def fade(x: Any) -> Any:
+    """Return the factor of the horizon's weights at the depth ``x`` of the sun, 0 on the horizon to 1: generic numbers."""
+    two = (1.0 - x) * (1.0 - x)
+    four = two * two
+    return four * four * two * (1.0 + POWER * x)
+
+
+TWILIGHT = Twilight(DEPTH, trace(lambda x: [fade(x)], ["x"]))

@@ -10,7 +10,7 @@ from skylight_sh.registry import Registry
 
 if TYPE_CHECKING:
     from skylight_sh.export.c_header import Facts
-    from skylight_sh.table.table import Table
+    from skylight_sh.runtime import Table
 
 TARGETS: Registry[Target] = Registry(
     {

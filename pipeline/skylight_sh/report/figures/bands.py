@@ -8,6 +8,7 @@ from matplotlib.figure import Figure
 from skylight_sh.report import style
 from skylight_sh.report.figures.picture import Picture
 from skylight_sh.report.report_data import Material
+from skylight_sh.table.size import bytes_of
 
 CAPTION = (
     "The paper's figure 3: the largest errors over all parameter sets and channels, in per cent of the least radiance of "
@@ -39,7 +40,7 @@ def draw(material: Material) -> Figure:
                 marker=style.MARKERS[i % 7],
                 markersize=5,
                 linestyle="--" if dashed else "-",
-                label=f"{entry.name}: {entry.table.bytes_at(min(best, entry.table.bands)):,} B",
+                label=f"{entry.name}: {bytes_of(entry.table, min(best, entry.table.bands)):,} B",
             )
         axes.set_title(f"largest {title}, L_min {material.conventions[0]}")
         axes.set_xlabel("bands N")

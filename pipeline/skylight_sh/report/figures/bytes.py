@@ -9,6 +9,7 @@ from skylight_sh import sphere
 from skylight_sh.report import style
 from skylight_sh.report.figures.picture import Picture
 from skylight_sh.report.report_data import Material
+from skylight_sh.table.size import bytes_of
 
 CAPTION = (
     "Largest E_mean against size. Dots: every combination of degrees of the sweep with all its coefficients kept, as "
@@ -35,7 +36,7 @@ def draw(material: Material) -> Figure:
                 axes.loglog(*front.T, color=style.SERIES[i], linestyle="-" if layout == "rows" else "--", linewidth=1)
             winners = [e for e in material.winners if e.table.bands == bands and e.table.body.kind == layout]
             axes.loglog(
-                [entry.table.bytes for entry in winners],
+                [bytes_of(entry.table) for entry in winners],
                 [entry.headline[0] for entry in winners],
                 style.MARKERS[i],
                 color=style.SERIES[i],
@@ -48,7 +49,7 @@ def draw(material: Material) -> Figure:
     bands = best.table.bands
     for i, entry in enumerate(material.references):
         axes.loglog(
-            entry.table.bytes_at(bands),
+            bytes_of(entry.table, bands),
             entry.headline_at(bands)[0],
             "xP*"[i % 3],
             color="black",
@@ -59,7 +60,7 @@ def draw(material: Material) -> Figure:
         axes.loglog(*_QUOTED, "X", color=style.RED, markeredgecolor="black", markersize=9, label="quoted by the paper")
     axes.annotate(
         "recommended",
-        (best.table.bytes, best.headline[0]),
+        (bytes_of(best.table), best.headline[0]),
         xytext=(-12, -28),
         textcoords="offset points",
         ha="right",

@@ -32,7 +32,7 @@ def draw(material: Material) -> Figure | None:
     )
     theta = np.radians(np.linspace(0.0, 90.0, 46))
     height = 90.0 - np.degrees(theta)
-    sinks = material.best.table.twilight
+    sinks = material.best.table.spec.twilight
     figure = style.figure(16 if sinks else 12, 4.2)
     panels = figure.subplots(1, 4 if sinks else 3)
     wanted = sorted({low, (low + high) / 2, high})

@@ -11,7 +11,6 @@ from skylight_sh import sphere
 from skylight_sh.report import panorama, style
 from skylight_sh.report.figures.picture import Picture
 from skylight_sh.report.report_data import Entry, Material
-from skylight_sh.table.table import full_weights
 
 CAPTION = (
     "The paper's figure 2: the sky itself, its SH expansion from converged weights, the expansion from the table, and "
@@ -45,7 +44,7 @@ def draw(material: Material) -> Figure:
 
 def _rows(material: Material) -> tuple[str, ...]:
     """Return what the rows show."""
-    if material.best.table.quantity == "irradiance":
+    if material.best.table.spec.quantity == "irradiance":
         return ("sky (radiance)", "true irradiance", "irradiance, table", "difference")
     return ("sky", "SH, true weights", "SH, table", "difference")
 
@@ -54,16 +53,16 @@ def _column(material: Material, panels: list[Axes], title: str, values: np.ndarr
     light, table = material.light, entry.table
     names = tuple(axis.name for axis in material.axes)
     bands = min(table.bands, material.best.table.bands)
-    truth = full_weights(table, material.sample(values), bands)
-    if table.windowed:
+    truth = table.whole(material.sample(values), bands)
+    if table.spec.windowed:
         truth = truth * sphere.zonal_sinc(table.bands)[: bands * bands]
-    rebuilt = full_weights(table, table.evaluate(values[np.newaxis])[0], bands)
+    rebuilt = table.whole(table.evaluate(values[np.newaxis])[0], bands)
     sky, true, made = panorama.sky(light, values, names), panorama.expansion(truth), panorama.expansion(rebuilt)
     white = panorama.white(sky[: len(sky) // 2] @ light.luminance_row)
     # An even sky's irradiance is pi times its radiance.
-    scale = np.pi if table.quantity == "irradiance" else 1.0
+    scale = np.pi if table.spec.quantity == "irradiance" else 1.0
     # A sun in the weights outshines the sky.
-    lit = panorama.white(true @ light.luminance_row) if table.sun_disc else scale * white
+    lit = panorama.white(true @ light.luminance_row) if table.spec.sun_disc else scale * white
     for panel, picture, level in zip(panels, (sky, true, made), (white, lit, lit), strict=False):
         panel.imshow(panorama.display(picture, level), extent=panorama.EXTENT, aspect="auto", interpolation="nearest")
     difference = 100 * ((made - true) @ light.luminance_row) / (scale * _scale(material, values))

@@ -9,7 +9,6 @@ from skylight_sh import sphere
 from skylight_sh.report import panorama, style
 from skylight_sh.report.figures.picture import Picture
 from skylight_sh.report.report_data import Material
-from skylight_sh.table.table import full_weights
 
 CAPTION = (
     "The paper's figure 4: luminance of the recommended table's expansion without and with the zonal window of eq. 5, at "
@@ -22,10 +21,10 @@ CAPTION = (
 def draw(material: Material) -> Figure | None:
     """Draw luminance before and after, and a cut through the sun; None where the weights are windowed or no radiance."""
     table = material.best.table
-    if table.windowed or table.quantity != "radiance":
+    if table.spec.windowed or table.spec.quantity != "radiance":
         return None
     values = material.middle
-    weights = full_weights(table, table.evaluate(values[np.newaxis])[0], table.bands).astype(np.float64)
+    weights = table.whole(table.evaluate(values[np.newaxis])[0], table.bands).astype(np.float64)
     row = material.light.luminance_row
     sky = panorama.sky(material.light, values, tuple(a.name for a in material.axes)) @ row
     before = panorama.expansion(weights) @ row

@@ -12,8 +12,7 @@ from skylight_sh import sphere
 from skylight_sh.report import panorama, style
 from skylight_sh.report.figures.picture import Picture
 from skylight_sh.report.report_data import Material
-from skylight_sh.table.surroundings import Surroundings
-from skylight_sh.table.table import full_weights
+from skylight_sh.runtime import Surroundings
 
 Array = NDArray[np.float64]
 
@@ -37,12 +36,12 @@ def draw(material: Material) -> Figure | None:
     if around is None:
         return None
     values = next(iter(material.cases.values()), material.middle)
-    still = full_weights(table, table.evaluate(values[np.newaxis])[0], table.bands).astype(np.float64)
+    still = table.whole(table.evaluate(values[np.newaxis])[0], table.bands).astype(np.float64)
     even = np.zeros_like(still)
     even[:, 0] = np.sqrt(4 * np.pi)
     hidden = _picture(Surroundings(around.transfer).apply(even, table.bands))
     row = material.light.luminance_row
-    azimuths = _AZIMUTHS if table.azimuth is None else (float(np.degrees(table.azimuth)),)
+    azimuths = _AZIMUTHS if table.spec.azimuth is None else (float(np.degrees(table.spec.azimuth)),)
     figure = style.figure(12, 2.3 * len(azimuths) + 0.7)
     panels = figure.subplots(len(azimuths), 3, squeeze=False, sharex=True, sharey=True)
     for line, azimuth in zip(panels, azimuths, strict=True):

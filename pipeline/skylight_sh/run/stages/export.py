@@ -17,8 +17,9 @@ from skylight_sh.run.files import to_dataset
 from skylight_sh.run.from_config import read_table
 from skylight_sh.run.plan import Inputs, Step
 from skylight_sh.run.provenance import settings, settings_digest, whole_settings
+from skylight_sh.runtime import Table
 from skylight_sh.store.dataset import Dataset
-from skylight_sh.table.table import Table
+from skylight_sh.table.size import bytes_of, coefficients_of
 
 
 def steps(config: Config) -> list[Step]:
@@ -36,12 +37,12 @@ def facts_of(config: Config, table: Table, measured: Dataset, name: str) -> dict
         "bands": table.bands,
         "dtype": str(table.dtype),
         "layout": table.body.kind,
-        "bytes": table.bytes,
-        "coefficients": table.coefficients,
+        "bytes": bytes_of(table),
+        "coefficients": coefficients_of(table),
         "e_mean": published(measured[f"tables/{name}/e_mean"][0, :, -1].max()),
         "e_max": published(measured[f"tables/{name}/e_max"][0, :, -1].max()),
         "l_min": str(measured.attrs["conventions"]).split(",")[0],
-        "quantity": table.quantity,
+        "quantity": table.spec.quantity,
         "least": published(measured[f"tables/{name}/least"]),
     }
 

@@ -8,17 +8,16 @@ from functools import partial
 import numpy as np
 
 from skylight_sh.config.schema import Config
-from skylight_sh.export import npz
 from skylight_sh.fit.axis import Axis
 from skylight_sh.quadrature import parameter_points
-from skylight_sh.run.config_axes import fit_nodes, searched
+from skylight_sh.run.config_axes import axes_of, fit_nodes, searched
 from skylight_sh.run.executors import Advance
-from skylight_sh.run.from_config import frame_of, scene_of, surrounded
+from skylight_sh.run.from_config import scale_of, scene_of, surrounded
 from skylight_sh.run.plan import Inputs, Step
 from skylight_sh.scene.fold import fold
 from skylight_sh.store.dataset import Dataset, Variable
-from skylight_sh.table import grid_fit
-from skylight_sh.table.table import Frame, whole
+from skylight_sh.table import grid_fit, npz
+from skylight_sh.table.table import specification, whole
 
 
 def steps(config: Config) -> list[Step]:
@@ -36,14 +35,14 @@ def steps(config: Config) -> list[Step]:
 def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
     grid = inputs["truth/grid"]
     mirrored = bool(grid.attrs["mirrored"])
-    frame = frame_of(config, inputs, mirrored=mirrored)
-    axes, nodes = frame.axes, fit_nodes(config, frame.axes)
+    axes = axes_of(config, inputs)
+    nodes = fit_nodes(config, axes)
     sets = parameter_points.grid(nodes).reshape(*grid["weights"].shape[:-2], -1)
     samples = fold(scene_of(config), grid["weights"], grid["degree"], sets)
     degrees = [axis.degrees[1] for axis in config.axes]
     # Of a grid's systems, one a axis is the whole one's solution.
     solver = grid_fit.TENSOR if config.fit.solver == "svd" else config.fit.solver
-    made = grid_fit.fit(samples, axes, nodes, degrees, frame.basis, solver, frame.factor)
+    made = grid_fit.fit(samples, axes, nodes, degrees, config.fit.basis, solver, scale_of(config, inputs))
     powers = tuple(f"power_{axis.name}" for axis in axes)
     found = {
         "coefficients": Variable(("channel", "weight", *powers), made.dense),
@@ -54,8 +53,8 @@ def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
         kind = "identity" if section.scaled else "raw"
         plain = tuple(Axis(axis.name, axis.low, axis.high, axis.unit, kind) for axis in axes)
         shown = grid_fit.fit(samples, plain, nodes, section.degrees, section.basis, section.solver, None)
-        own = Frame(plain, frame.channels, mirrored, section.basis, None)
-        table = whole(own, shown.dense, config.truth.bands, section.dtype)
+        spec = specification(plain, config.source.channels, mirrored, section.basis)
+        table = whole(spec, shown.dense, config.truth.bands, section.dtype)
         start = f"references/{section.name}"
         found[f"{start}/npz"] = Variable(("byte",), np.frombuffer(npz.write(table), dtype=np.uint8))
         found[f"{start}/condition"] = Variable((), np.array(shown.condition))

@@ -14,12 +14,12 @@ from skylight_sh.run.config_axes import searched
 from skylight_sh.run.executors import Advance
 from skylight_sh.run.from_config import degree_ranges, fit_of, read_table, reference_of, scene_of, surrounded
 from skylight_sh.run.plan import Inputs, Step
+from skylight_sh.runtime import Table
 from skylight_sh.scene.fold import window
 from skylight_sh.store.dataset import Dataset, Variable
 from skylight_sh.table.errors import least_reconstructed, measure
 from skylight_sh.table.grid_fit import swept
 from skylight_sh.table.selection import BudgetError
-from skylight_sh.table.table import Table
 
 HELD_OUT = "truth/held-out"
 # Sets at which the least reconstructed luminance is sought.
@@ -56,7 +56,7 @@ def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
         if source == "fit":
             found |= _measured(name, table, reference, seen)
         else:
-            factors = window(scene, table.bands, mirrored=table.mirrored)
+            factors = window(scene, table.bands, mirrored=table.spec.mirrored)
             behind, behind_seen = (part.windowed(table.bands, factors) for part in (reference, seen))
             found |= _measured(name, table, behind, behind_seen)
             some = reference.parameters[:: max(1, len(reference.parameters) // _LEAST_SETS)]

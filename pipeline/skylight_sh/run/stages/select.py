@@ -9,24 +9,24 @@ import numpy as np
 
 from skylight_sh.config.schema import Config
 from skylight_sh.config.wanted import wanted
-from skylight_sh.export import npz
 from skylight_sh.quadrature import parameter_points
-from skylight_sh.run.config_axes import fit_nodes, searched
+from skylight_sh.run.config_axes import axes_of, fit_nodes, searched
 from skylight_sh.run.executors import Advance, map_tasks
 from skylight_sh.run.from_config import (
     degree_ranges,
     fit_of,
-    frame_of,
     reference,
     reference_of,
     scene_of,
     selected_on,
+    specification_of,
     surrounded,
+    surroundings_of,
 )
 from skylight_sh.run.plan import Inputs, Step
 from skylight_sh.scene.fold import window
 from skylight_sh.store.dataset import Dataset, Variable
-from skylight_sh.table import selection
+from skylight_sh.table import npz, selection
 from skylight_sh.table.grid_fit import swept
 from skylight_sh.table.selection import Point, SearchData, Selected
 
@@ -68,18 +68,20 @@ def _call(job: Callable[[], list[Selected]]) -> list[Selected]:
 
 def _gather(config: Config, inputs: Inputs) -> SearchData:
     grid = inputs["truth/grid"]
-    frame = frame_of(config, inputs, mirrored=bool(grid.attrs["mirrored"]))
-    nodes = fit_nodes(config, frame.axes)
+    spec, axes = specification_of(config, inputs, mirrored=bool(grid.attrs["mirrored"])), axes_of(config, inputs)
+    nodes = fit_nodes(config, axes)
     checked = reference_of(config, inputs, selected_on(config))
     radiance = grid["weights"].reshape(-1, *grid["weights"].shape[-2:])
     bands = max(winner.bands for winner in config.winners)
     return selection.search_data(
-        frame=frame,
+        spec=spec,
+        axes=axes,
+        surroundings=surroundings_of(inputs),
         grid=reference(config, parameter_points.grid(nodes), radiance, grid["degree"], grid["least_luminance"].ravel()),
         shape=tuple(n.size for n in nodes),
         reference=checked,
         checked_shape=inputs["truth/verification"]["least_luminance"].shape,
         degrees=tuple(axis.degrees[1] for axis in config.axes),
         sweep=swept(fit_of(config, inputs), checked.some(_SWEPT_EACH), degree_ranges(config), bands),
-        window=partial(window, scene_of(config), mirrored=frame.mirrored),
+        window=partial(window, scene_of(config), mirrored=spec.mirrored),
     )

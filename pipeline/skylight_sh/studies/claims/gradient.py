@@ -11,9 +11,8 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from skylight_sh.runtime import Rows, Table
 from skylight_sh.studies import compiled
-from skylight_sh.table.rows import Rows
-from skylight_sh.table.table import Table, full_weights
 
 Array = NDArray[np.float64]
 
@@ -46,7 +45,7 @@ def measure(table: Table) -> dict[str, float]:
     """
     if not isinstance(table.body, Rows):
         raise TypeError("Only a fast table's rows can be kept in double precision. Give a table of layout rows.")
-    wide = replace(table, body=Rows(table.body.lengths, table.body.rows.astype(np.float64)))
+    wide = replace(table, body=replace(table.body, rows=table.body.rows.astype(np.float64)))
     low, high = np.transpose(table.ranges)
     rng = np.random.default_rng(8)
     inside = rng.uniform(low, high, size=(_SETS, low.size))
@@ -75,7 +74,7 @@ def _worst(table: Table, wide: Table, program: Path, sets: Array) -> float:
     clamped = np.clip(np.delete(inputs, 1, axis=1).astype(np.float64), *np.transpose(table.ranges))
     worst = 0.0
     for axis, (low, high) in enumerate(table.ranges):
-        exact = full_weights(table, _derivative(wide, clamped, axis, _STEP * (high - low)), table.bands)
+        exact = table.whole(_derivative(wide, clamped, axis, _STEP * (high - low)))
         off = np.abs(got[:, axis] - exact).max(axis=(1, 2)) / np.abs(exact).max(axis=(1, 2))
         worst = max(worst, float(off.max()))
     return worst

@@ -11,9 +11,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from skylight_sh import probe, sphere
+from skylight_sh import probe, runtime, sphere
 from skylight_sh.config import load
-from skylight_sh.export import npz
 from skylight_sh.light import MissingExtraError
 from skylight_sh.light.preetham import Preetham
 from skylight_sh.probe import files
@@ -47,7 +46,7 @@ def all_claims(root: Path, reference: Path) -> dict[str, Any]:
     C compiler, and MissingExtraError without OpenImageIO.
     """
     parts: dict[str, Callable[[], Any]] = {
-        "gradient": lambda: gradient.measure(npz.read(reference / "export" / "skylight_sh.npz")),
+        "gradient": lambda: gradient.measure(runtime.read(reference / "export" / "skylight_sh.npz")),
         "pictures": lambda: pictures(_WIDTHS),
         "ringing": lambda: ringing(_RINGING_EACH),
         "valley": lambda: valley(root / "configs" / "valley.toml", _SCENE_ROWS),

@@ -8,10 +8,10 @@ import tempfile
 from collections.abc import Mapping
 from pathlib import Path
 
+from skylight_sh.runtime import Rows, Table
 from skylight_sh.studies import compiled
 from skylight_sh.studies.page import Row, Section
-from skylight_sh.table.rows import Rows
-from skylight_sh.table.table import Table
+from skylight_sh.table.row_layout import layout
 
 _SUNS = 4096
 _FLAGS = {"-O3": ["-O3"], "-O3 native": ["-O3", "-march=native"]}
@@ -95,7 +95,7 @@ def section(tables: Mapping[str, Table], repeats: int) -> Section:
                     found[name].append([1e9 * float(v) for v in out.split()])
             for name, table in fast.items():
                 single, day, mixed, _ = (statistics.median(column) for column in zip(*found[name], strict=True))
-                work = (table.degrees[0] + 1) * len(table.layout.places)
+                work = (table.degrees[0] + 1) * len(layout(table.spec, table.bands).places)
                 rows.append(
                     {
                         "table": name,
@@ -113,7 +113,7 @@ def section(tables: Mapping[str, Table], repeats: int) -> Section:
 
 def _source(table: Table) -> str:
     names = [axis.name for axis in table.axes]
-    inputs = [names[0], *([] if table.azimuth is not None else ["sun_azimuth"]), *names[1:]]
+    inputs = [names[0], *([] if table.spec.azimuth is not None else ["sun_azimuth"]), *names[1:]]
     spans = {a.name: f"{a.low:.9e}f + {a.high - a.low:.9e}f" for a in table.axes} | {"sun_azimuth": "6.0f"}
     arrays = "".join(f"static float {name}_mixed[SUNS], {name}_day[SUNS];\n" for name in inputs)
     fill = ""

@@ -18,11 +18,12 @@ from skylight_sh import sphere
 from skylight_sh.export import paper_literal
 from skylight_sh.fit.errors import e_mean
 from skylight_sh.quadrature import parameter_points as parameter_sets
+from skylight_sh.runtime import Table
 from skylight_sh.studies import compiled, single_fit
 from skylight_sh.studies.grid_samples import Samples
 from skylight_sh.studies.page import Row, Section
 from skylight_sh.studies.speed import lookup
-from skylight_sh.table.table import Table
+from skylight_sh.table.size import bytes_of
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -106,7 +107,9 @@ class Candidate:
 def section(samples: Samples, tables: Mapping[str, Table], repeats: int) -> Section:
     """Time all candidates in turn and measure what they return."""
     candidates = {LITERAL: literal(samples)}
-    candidates |= {name: Candidate(compiled.header_of(table), table.bytes, table.bands) for name, table in tables.items()}
+    candidates |= {
+        name: Candidate(compiled.header_of(table), bytes_of(table), table.bands) for name, table in tables.items()
+    }
     candidates |= _lookups(samples)
     source = program_of([(a.name, *a.range) for a in samples.config.axes], fixed_azimuth=False)
     warm: dict[tuple[str, str], list[float]] = {}
@@ -158,7 +161,7 @@ def literal(samples: Samples) -> Candidate:
     """Return the paper's scheme on these samples: monomials in double precision, every order kept."""
     made = single_fit.fit(samples, samples.full, single_fit.paper_degrees(samples), "monomial", "svd", "raw")
     names = [axis.name for axis in samples.config.axes]
-    text = paper_literal.write(made.dense, names, samples.frame.channels, compiled.PREFIX)
+    text = paper_literal.write(made.dense, names, samples.spec.channels, compiled.PREFIX)
     return Candidate(text, made.dense.nbytes, samples.config.truth.bands)
 
 

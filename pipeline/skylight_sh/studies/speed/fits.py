@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from skylight_sh.fit import least_squares
-from skylight_sh.fit.bases import BASES
+from skylight_sh.formula.bases import BASES
 from skylight_sh.studies import single_fit
 from skylight_sh.studies.grid_samples import Samples
 from skylight_sh.studies.page import Row, Section

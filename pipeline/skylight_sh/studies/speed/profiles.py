@@ -19,12 +19,14 @@ from skylight_sh.run.progress import silent
 from skylight_sh.run.provenance import settings
 from skylight_sh.run.runner import steps
 from skylight_sh.run.stages.export import facts_of
+from skylight_sh.runtime import Table
 from skylight_sh.store.store import Store
 from skylight_sh.studies import compiled
 from skylight_sh.studies.grid_samples import Samples, light_alone
 from skylight_sh.studies.page import Row, Section
 from skylight_sh.studies.speed import evaluation
-from skylight_sh.table.table import Table
+from skylight_sh.table.row_layout import layout
+from skylight_sh.table.size import bytes_of
 
 TEXT = (
     "The config's light built anew in an empty store for each profile, one table each: seconds from nothing to the "
@@ -45,7 +47,7 @@ def section(config: Config, samples: Samples, repeats: int) -> Section:
                 [
                     (literal.header, [(a.name, *a.range) for a in config.axes], False),
                     *(
-                        (compiled.header_of(t), [(a.name, a.low, a.high) for a in t.axes], t.azimuth is not None)
+                        (compiled.header_of(t), [(a.name, a.low, a.high) for a in t.axes], t.spec.azimuth is not None)
                         for _, _, t, _ in built
                     ),
                 ]
@@ -62,10 +64,10 @@ def section(config: Config, samples: Samples, repeats: int) -> Section:
             {
                 "profile": label,
                 "build s": seconds,
-                "bytes": table.bytes,
+                "bytes": bytes_of(table),
                 "E_mean": error,
-                "inputs": len(table.axes) + (table.azimuth is None),
-                "columns": len(table.layout.places),
+                "inputs": len(table.axes) + (table.spec.azimuth is None),
+                "columns": len(layout(table.spec, table.bands).places),
                 "ns": statistics.median(found),
                 "times faster": statistics.median(b / o for b, o in zip(times[0], found, strict=True)),
             }

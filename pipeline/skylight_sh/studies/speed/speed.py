@@ -10,10 +10,10 @@ import subprocess
 from collections.abc import Mapping
 from pathlib import Path
 
+from skylight_sh.runtime import Table
 from skylight_sh.store import atomic
 from skylight_sh.studies.page import Section
 from skylight_sh.studies.speed.evaluation import LITERAL
-from skylight_sh.table.table import Table
 
 FILE = "speed.json"
 _RATIOS = ("times faster", "native times faster", "cold times faster")

@@ -10,11 +10,11 @@ import numpy as np
 from skylight_sh import sphere
 from skylight_sh.config.schema import Config
 from skylight_sh.quadrature import rings, sun_centred
+from skylight_sh.runtime import Table
 from skylight_sh.studies import single_fit
 from skylight_sh.studies.grid_samples import sample
 from skylight_sh.studies.page import Row, Section
 from skylight_sh.table.errors import measure
-from skylight_sh.table.table import Table
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

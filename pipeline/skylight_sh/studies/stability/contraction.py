@@ -9,10 +9,10 @@ from pathlib import Path
 import numpy as np
 
 from skylight_sh.fit.errors import e_mean
+from skylight_sh.runtime import Table
 from skylight_sh.studies import compiled
 from skylight_sh.studies.grid_samples import Samples
 from skylight_sh.studies.page import Row, Section
-from skylight_sh.table.table import Table, full_weights
 
 _FLAGS = {
     "-O0": ["-O0", "-ffp-contract=off"],
@@ -36,8 +36,8 @@ def section(samples: Samples, tables: Mapping[str, Table]) -> Section:
     rows: list[Row] = []
     with tempfile.TemporaryDirectory() as folder:
         for name, table in tables.items():
-            runtime = full_weights(table, table.evaluate(np.delete(inputs, 1, axis=1).astype(np.float64)), table.bands)
-            truth = full_weights(table, samples.reference.weights, table.bands)
+            runtime = table.whole(table.evaluate(np.delete(inputs, 1, axis=1).astype(np.float64)))
+            truth = table.whole(samples.reference.weights, table.bands)
             row: dict[str, object] = {"table": name}
             for label, flags in _FLAGS.items():
                 got = compiled.weights(compiled.header_of(table), inputs, Path(folder) / "run", flags)

@@ -13,12 +13,11 @@ from skylight_sh.config import ConfigError, parse
 from skylight_sh.config.schema import Config
 from skylight_sh.quadrature import sampling
 from skylight_sh.run.provenance import settings
-from skylight_sh.runtime import Runtime
+from skylight_sh.runtime import Runtime, Table
 from skylight_sh.studies import single_fit
 from skylight_sh.studies.grid_samples import Samples, light_alone, sample
 from skylight_sh.studies.page import Row, Section
 from skylight_sh.table.errors import headline
-from skylight_sh.table.table import Table
 
 Array = NDArray[np.float64]
 

@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from typing import Any
+
 import numpy as np
 from numpy.typing import NDArray
 
 from skylight_sh import sphere
 from skylight_sh.fit.axis import Axis
 from skylight_sh.light.preetham import Preetham
-from skylight_sh.table.prefactor import ClosedForm, Reciprocal
-from skylight_sh.table.surroundings import Surroundings
-from skylight_sh.table.table import Frame, Table, fast, small
+from skylight_sh.runtime import Specification, Surroundings, Table
+from skylight_sh.table.prefactor import closed_form, reciprocal
+from skylight_sh.table.table import fast, small, specification
+from skylight_sh.table.twilight import TWILIGHT
 
 _ZENITH = Axis("sun_zenith", 0.0, np.pi / 2, "rad", map="reciprocal", point=5.0)
 _TURBIDITY = Axis("turbidity", 2.5, 6.0, map="log", point=0.5)
@@ -24,43 +28,47 @@ def flavours() -> dict[str, Table]:
     """Return the tables by name; the same ones every time."""
     rng = np.random.default_rng(2008)
     sky = Preetham(model="preetham").hints.prefactor
-    closed = ClosedForm(sky.name, sky.constants) if sky else None
-    found = Reciprocal(np.array([[2.0, 0.3], [0.4, 0.1], [0.1, 0.0]], dtype=np.float32))
     two, three = (_ZENITH, _TURBIDITY), (_ZENITH, _TURBIDITY, _ALBEDO)
+    specified = tuple(axis.specified for axis in two)
+    closed = closed_form(sky, specified) if sky else None
+    found = reciprocal(np.array([[2.0, 0.3], [0.4, 0.1], [0.1, 0.0]], dtype=np.float32), specified)
+    sinking: dict[str, Any] = {"peak_axis": "sun_zenith", "twilight": TWILIGHT}
     return {
-        "rows": _rows(rng, Frame(two, _RGB, True, "chebyshev", closed), (9, 5), 7, "float32"),
-        "packed": _packed(rng, Frame(two, _RGB, True, "chebyshev", closed), (9, 5), 7),
-        "float64": _rows(rng, Frame(two, _RGB, True, "chebyshev", found), (6, 4), 4, "float64"),
-        "one-axis": _rows(rng, Frame((_HOUR,), ("luminance",), True, "legendre", None), (6,), 5, "float32"),
-        "unmirrored": _rows(rng, Frame(three, _RGB[:2], False, "monomial", None), (5, 3, 1), 5, "float32"),
-        "twilight": _rows(rng, Frame(two, ("luminance",), True, "chebyshev", closed, twilight=True), (5, 2), 3, "float32"),
-        "twilight-packed": _packed(rng, Frame(two, _RGB, True, "chebyshev", None, twilight=True), (5, 2), 3),
-        "surrounded": _rows(
-            rng, Frame(two, _RGB, True, "chebyshev", closed, surroundings=_around(rng)), (5, 2), 3, "float32"
+        "rows": _rows(rng, specification(two, _RGB, True, "chebyshev", closed), (9, 5), 7, "float32"),
+        "packed": _packed(rng, specification(two, _RGB, True, "chebyshev", closed), (9, 5), 7),
+        "float64": _rows(rng, specification(two, _RGB, True, "chebyshev", found), (6, 4), 4, "float64"),
+        "one-axis": _rows(rng, specification((_HOUR,), ("luminance",), True, "legendre", None), (6,), 5, "float32"),
+        "unmirrored": _rows(rng, specification(three, _RGB[:2], False, "monomial", None), (5, 3, 1), 5, "float32"),
+        "twilight": _rows(
+            rng, specification(two, ("luminance",), True, "chebyshev", closed, **sinking), (5, 2), 3, "float32"
         ),
-        "unmirrored-packed": _packed(rng, Frame((_TURBIDITY,), _RGB, False, "fourier", None), (4,), 3),
+        "twilight-packed": _packed(rng, specification(two, _RGB, True, "chebyshev", None, **sinking), (5, 2), 3),
+        "surrounded": replace(
+            _rows(rng, specification(two, _RGB, True, "chebyshev", closed), (5, 2), 3, "float32"), surroundings=_around(rng)
+        ),
+        "unmirrored-packed": _packed(rng, specification((_TURBIDITY,), _RGB, False, "fourier", None), (4,), 3),
     }
 
 
-def _around(rng: np.random.Generator) -> dict[int, Surroundings]:
+def _around(rng: np.random.Generator) -> Surroundings:
     """Return surroundings of three bands and three channels, every part of them."""
-    return {3: Surroundings(np.eye(9) / 2 + rng.normal(size=(9, 9)) / 20, *rng.normal(size=(2, 3, 9)) / 10)}
+    return Surroundings(np.eye(9) / 2 + rng.normal(size=(9, 9)) / 20, *rng.normal(size=(2, 3, 9)) / 10)
 
 
-def _dense(rng: np.random.Generator, frame: Frame, degrees: tuple[int, ...], bands: int) -> NDArray[np.float64]:
+def _dense(rng: np.random.Generator, spec: Specification, degrees: tuple[int, ...], bands: int) -> NDArray[np.float64]:
     """Return coefficients ``(channels, count, d_1+1, ..)`` that fall off with the degree, as those of smooth lights do."""
     sizes = tuple(d + 1 for d in degrees)
-    dense = rng.normal(size=(len(frame.channels), sphere.count(bands, mirrored=frame.mirrored), *sizes))
+    dense = rng.normal(size=(len(spec.channels), sphere.count(bands, mirrored=spec.mirrored), *sizes))
     return np.asarray(dense * 2.0 ** -np.sum(np.indices(sizes), axis=0))
 
 
-def _rows(rng: np.random.Generator, frame: Frame, degrees: tuple[int, ...], bands: int, dtype: str) -> Table:
-    dense = _dense(rng, frame, degrees, bands)
+def _rows(rng: np.random.Generator, spec: Specification, degrees: tuple[int, ...], bands: int, dtype: str) -> Table:
+    dense = _dense(rng, spec, degrees, bands)
     lengths = degrees[0] + 1 - np.sum(np.indices(dense.shape[3:]), axis=0) if len(degrees) > 1 else np.array(degrees[0] + 1)
-    return fast(frame, dense, np.asarray(lengths), bands, dtype)
+    return fast(spec, dense, np.asarray(lengths), bands, dtype)
 
 
-def _packed(rng: np.random.Generator, frame: Frame, degrees: tuple[int, ...], bands: int) -> Table:
-    dense = _dense(rng, frame, degrees, bands).swapaxes(0, 1)
+def _packed(rng: np.random.Generator, spec: Specification, degrees: tuple[int, ...], bands: int) -> Table:
+    dense = _dense(rng, spec, degrees, bands).swapaxes(0, 1)
     whole = np.rint(2000 * dense.reshape(*dense.shape[:2], degrees[0] + 1, -1)).astype(np.int64)
-    return small(frame, whole, 0.0005, degrees, bands)
+    return small(spec, whole, 0.0005, degrees, bands)

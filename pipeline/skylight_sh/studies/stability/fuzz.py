@@ -17,10 +17,10 @@ from pathlib import Path
 
 import numpy as np
 
-from skylight_sh.export import c_header, npz
-from skylight_sh.runtime import Runtime
+from skylight_sh import runtime
+from skylight_sh.export import c_header
+from skylight_sh.runtime import Runtime, Table
 from skylight_sh.studies.stability.flavours import flavours
-from skylight_sh.table.table import Table
 
 _SANITIZE = "-fsanitize=address,undefined,float-cast-overflow,float-divide-by-zero -fno-sanitize-recover=all"
 BUILDS = {
@@ -105,7 +105,7 @@ def _rank(value: np.float32) -> int:
 
 def main(count: int, files: list[str]) -> int:
     """Fuzz every table in every build, on all cores; return the process's exit code."""
-    tables = flavours() | {Path(file).parent.name: npz.read(file) for file in files}
+    tables = flavours() | {Path(file).parent.name: runtime.read(file) for file in files}
     cores = os.cpu_count() or 1
     failed = False
     with tempfile.TemporaryDirectory() as place, ThreadPoolExecutor(cores) as pool:

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from skylight_sh.fit.bases import BASES
 from skylight_sh.fit.errors import e_mean
+from skylight_sh.formula.bases import BASES
 from skylight_sh.studies import single_fit
 from skylight_sh.studies.grid_samples import Samples
 from skylight_sh.studies.page import Row, Section

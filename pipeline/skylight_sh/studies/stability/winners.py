@@ -8,11 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from skylight_sh.fit.errors import Reference, e_mean
+from skylight_sh.runtime import Table
 from skylight_sh.studies import single_fit
 from skylight_sh.studies.grid_samples import Samples, measured_at
 from skylight_sh.studies.page import Row, Section
 from skylight_sh.table.errors import measure
-from skylight_sh.table.table import Table
 
 Array = NDArray[np.float64]
 

@@ -1,0 +1,1 @@
+"""Formulas of an evaluation, each written once: computed with arrays, or traced into programs that any language prints."""

@@ -1,0 +1,138 @@
+"""Programs printed as statements of a language, in the order of their steps: nothing is rearranged."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from skylight_sh.runtime import Program
+
+_ATOM, _NEGATIVE = 4, 3
+_PRECEDENCE = {"+": 1, "-": 1, "*": 2, "/": 2}
+
+
+@dataclass(frozen=True)
+class Language:
+    """How a language writes numbers, functions (formats over ``x``) and the declaration of a local that never changes."""
+
+    number: Callable[[float], str]
+    functions: Mapping[str, str]
+    declare: Callable[[str, str], str]
+
+
+def pointed(text: str) -> str:
+    """Add the point without which a number is a whole one.
+
+    >>> pointed("3"), pointed("3e5")
+    ('3.0', '3e5')
+    """
+    return text if any(c in text for c in ".en") else text + ".0"
+
+
+def single(value: float) -> str:
+    """Return a float32 in nine digits, which give it back."""
+    return pointed(f"{float(np.float32(value)):.9g}")
+
+
+def double(value: float) -> str:
+    """Return a float64 in seventeen digits, which give it back."""
+    return pointed(f"{value:.17g}")
+
+
+_C_FUNCTIONS = ("log", "exp", "sin", "cos", "sqrt", "cbrt")
+C_SINGLE = Language(
+    number=lambda value: single(value) + "f",
+    functions={name: f"{name}f({{x}})" for name in _C_FUNCTIONS},
+    declare=lambda name, value: f"const float {name} = {value};",
+)
+C_DOUBLE = Language(
+    number=double,
+    functions={name: f"{name}({{x}})" for name in _C_FUNCTIONS},
+    declare=lambda name, value: f"const double {name} = {value};",
+)
+
+
+def statements(program: Program, language: Language, inputs: Sequence[str]) -> tuple[list[str], list[str]]:
+    """Return the declarations of what is used twice or has a label, and the outputs as expressions over ``inputs``.
+
+    >>> from skylight_sh.formula.expression import trace
+    >>> statements(trace(lambda v, k: [(v - k[0]) * k[1] - 1], ["v"], [0.5, 2.0]), C_SINGLE, ["v"])
+    ([], ['(v - 0.5f) * 2.0f - 1.0f'])
+    """
+    lines, texts = _printed(program, language, inputs, {})
+    return lines, [texts[place][0] for place in program.outputs]
+
+
+def assignments(program: Program, language: Language, inputs: Sequence[str], targets: Sequence[str]) -> list[str]:
+    """Return the statements that give each of ``targets`` its output; later outputs read earlier targets."""
+    named: dict[int, str] = {}
+    for place, target in zip(program.outputs, targets, strict=True):
+        named.setdefault(place, target)
+    lines, texts = _printed(program, language, inputs, named)
+    # What is a plain input or stands twice among the outputs.
+    lines += [
+        f"{target} = {texts[place][0]};"
+        for place, target in zip(program.outputs, targets, strict=True)
+        if named[place] != target
+    ]
+    return lines
+
+
+def _printed(
+    program: Program, language: Language, inputs: Sequence[str], targets: Mapping[int, str]
+) -> tuple[list[str], list[tuple[str, int]]]:
+    used = Counter(int(place) for step in program.steps if _is_node(step) for place in step[1:])
+    labels, taken = dict(program.labels), Counter[str]()
+    lines: list[str] = []
+    # Text and precedence of every step.
+    texts: list[tuple[str, int]] = []
+    for place, step in enumerate(program.steps):
+        text, precedence = _text(step, program, language, inputs, texts)
+        if place in targets:
+            lines.append(f"{targets[place]} = {text};")
+            text, precedence = targets[place], _ATOM
+        elif _is_node(step) and (used[place] > 1 or place in labels):
+            name = labels.get(place, "part")
+            taken[name] += 1
+            name = name if place in labels and taken[name] == 1 else f"{name}_{taken[name]}"
+            lines.append(language.declare(name, text))
+            text, precedence = name, _ATOM
+        texts.append((text, precedence))
+    return lines, texts
+
+
+def _is_node(step: tuple[str | int | float, ...]) -> bool:
+    return step[0] not in ("number", "constant", "input")
+
+
+def _text(
+    step: tuple[str | int | float, ...],
+    program: Program,
+    language: Language,
+    inputs: Sequence[str],
+    texts: Sequence[tuple[str, int]],
+) -> tuple[str, int]:
+    operation, *arguments = step
+    if operation == "input":
+        return inputs[int(arguments[0])], _ATOM
+    if operation in ("number", "constant"):
+        value = float(arguments[0]) if operation == "number" else program.constants[int(arguments[0])]
+        text = language.number(value)
+        # A sign may not meet the operator before it.
+        return (f"({text})", _ATOM) if text.startswith("-") else (text, _ATOM)
+    parts = [texts[int(argument)] for argument in arguments]
+    if operation in language.functions:
+        return language.functions[str(operation)].format(x=parts[0][0]), _ATOM
+    if operation == "negative":
+        return f"-{_enclosed(parts[0], _ATOM)}", _NEGATIVE
+    own = _PRECEDENCE[str(operation)]
+    # The right side of the same precedence keeps its brackets: sums are not rearranged.
+    return f"{_enclosed(parts[0], own)} {operation} {_enclosed(parts[1], own + 1)}", own
+
+
+def _enclosed(part: tuple[str, int], least: int) -> str:
+    text, precedence = part
+    return text if precedence >= least else f"({text})"

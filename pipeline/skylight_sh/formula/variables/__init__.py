@@ -1,0 +1,19 @@
+"""Changes of variable: monotone maps of a parameter's range onto [-1, 1]. One file each, named here."""
+
+from __future__ import annotations
+
+from skylight_sh.formula.variables.protocol import Variable
+from skylight_sh.registry import Registry
+
+# By their names in a config's ``axes.map``.
+VARIABLES: Registry[Variable] = Registry(
+    {
+        "raw": "skylight_sh.formula.variables.raw:VARIABLE",
+        "identity": "skylight_sh.formula.variables.identity:VARIABLE",
+        "log": "skylight_sh.formula.variables.log:VARIABLE",
+        "reciprocal": "skylight_sh.formula.variables.reciprocal:VARIABLE",
+        "cbrt": "skylight_sh.formula.variables.cbrt:VARIABLE",
+    }
+)
+
+__all__ = ["VARIABLES", "Variable"]

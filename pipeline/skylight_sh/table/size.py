@@ -1,0 +1,39 @@
+"""How large a table is: every constant that its evaluation reads."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from skylight_sh.runtime import Packed, Table, unpack
+from skylight_sh.table import packed, prefactor, twilight
+from skylight_sh.table.row_layout import layout
+
+
+def bytes_of(table: Table, bands: int | None = None) -> int:
+    """Return the size of what the first ``bands`` bands read, or all: coefficients, lengths, axes, factor, numbers in code.
+
+    A table of fewer bands is a prefix of this one; surroundings read all bands, whatever is asked for.
+    """
+    spec, body, around = table.spec, table.body, table.surroundings
+    bands = table.bands if around or bands is None else bands
+    numbers = sum(2 + len(axis.variable.constants) for axis in spec.axes) + prefactor.numbers(spec.scale)
+    numbers += twilight.NUMBERS if spec.twilight else 0
+    numbers += around.transfer.size + around.own.size + around.below.size if around else 0
+    if isinstance(body, Packed):
+        degrees = np.sqrt(table.places[table.places < bands * bands]).astype(np.int64)
+        part = body
+        if bands < table.bands:
+            part = packed.pack(unpack(body, table.places[: degrees.size]), degrees, body.step)
+        # Beside stream and profiles, one byte a profile's entry, the step.
+        stored = len(part.stream) + part.rest_profile.size + part.channel_profile.size
+        return stored + table.dtype.itemsize * (numbers + 1)
+    widths = layout(spec, table.bands).widths
+    read = len(body.rows) * widths[bands - 1] + numbers
+    return read * table.dtype.itemsize + body.lengths.nbytes + len(widths)
+
+
+def coefficients_of(table: Table) -> int:
+    """Return how many coefficients are kept, padding left out."""
+    if isinstance(table.body, Packed):
+        return int(np.count_nonzero(unpack(table.body, table.places)))
+    return len(table.body.rows) * int(np.count_nonzero(table.body.columns >= 0))
