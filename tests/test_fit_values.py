@@ -13,6 +13,7 @@ from skylight_sh.fit.axis import Axis
 from skylight_sh.fit.minimax import Sampled, even, metric, sharpen
 from skylight_sh.fit.nearest_plane import round_kept
 from skylight_sh.fit.term_selection import fewest
+from skylight_sh.formula.variables import VARIABLES
 from skylight_sh.reproducible import significant
 
 Array = NDArray[np.float64]

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from skylight_sh import sphere
 from skylight_sh.export import c_header, paper_literal
 from skylight_sh.fit.axis import Axis
+from skylight_sh.formula.variables import VARIABLES
 from skylight_sh.runtime import Table
 from skylight_sh.table import twilight
 from skylight_sh.table.table import fast, specification
