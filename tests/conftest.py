@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import os
 import tomllib
+from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 from hypothesis import settings
 from skylight_sh.config import Config, load, parse
 from skylight_sh.run.runner import Result, run
+from skylight_sh.runtime import Table
 from skylight_sh.store.store import Store
 
 # Examples are drawn anew on a developer's machine, and are the same ones on every CI run.
@@ -28,6 +31,11 @@ ONE_LAYOUT = SMALL.read_text(encoding="utf-8").replace('layouts = ["rows", "pack
 def scene_config(scene: str, text: str = ONE_LAYOUT, folder: Path = Path()) -> Config:
     """Return the config ``text`` with a [scene] of these lines; its paths start from ``folder``."""
     return parse(tomllib.loads(f"{text}\n[scene]\n{scene}\n"), "a config", folder)
+
+
+def with_spec(table: Table, **changes: Any) -> Table:
+    """Return ``table`` with other fields of its specification."""
+    return replace(table, spec=replace(table.spec, **changes))
 
 
 def run_quietly(config: Config, place: Path) -> Result:

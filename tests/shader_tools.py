@@ -19,7 +19,8 @@ import numpy as np
 from numpy.typing import NDArray
 from skylight_sh.export import shaders
 from skylight_sh.export.c_header import Facts
-from skylight_sh.export.shader_dialects import DIALECTS, number
+from skylight_sh.export.shader_dialects import DIALECTS
+from skylight_sh.formula.printers import single as number
 from skylight_sh.runtime import Table
 
 Floats = NDArray[np.float32]

@@ -6,6 +6,7 @@ import csv
 import math
 import re
 import subprocess
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -17,7 +18,12 @@ from skylight_sh import runtime
 from skylight_sh.config import Config, parse
 from skylight_sh.config.extending import read
 from skylight_sh.config.wanted import table_names
-from skylight_sh.light import PREFACTORS
+from skylight_sh.fit.axis import Axis
+from skylight_sh.formula.printers import C_DOUBLE, statements
+from skylight_sh.light.perez import Perez
+from skylight_sh.light.preetham import Preetham
+from skylight_sh.light.protocol import Light
+from skylight_sh.table.prefactor import closed_form
 
 CONFIGS = sorted((ROOT / "configs").glob("*.toml"))
 DEFAULT = read(ROOT / "configs" / "preetham.toml")["report"]["figures"]
@@ -134,8 +140,16 @@ def header_agrees(folder: Path, prefix: str) -> None:
     assert np.abs(got - expected).max() < 2e-6 * np.abs(expected).max()
 
 
-@pytest.mark.parametrize("name", sorted(PREFACTORS))
-def test_a_prefactor_counts_the_numbers_in_its_code(name: str) -> None:
-    """Every number written into the C text, k's indices left out: a table's bytes count them."""
-    text = re.sub(r"k\[\d+\]", "k", PREFACTORS[name].c_body)
-    assert len(re.findall(r"(?<![\w.])(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?f?\b", text)) == PREFACTORS[name].literals
+@pytest.mark.parametrize(("light", "count"), [(Preetham(), 25), (Perez(category=5), 3)], ids=["preetham", "perez"])
+def test_a_prefactor_counts_the_numbers_in_its_code(light: Light, count: int) -> None:
+    """Every number written into the formula's text, constants left out: a table's bytes count them."""
+    hint = light.hints.prefactor
+    assert hint is not None
+    axes = [Axis(name, domain.low, domain.high).specified for name, domain in light.domains.items() if name in hint.axes]
+    program = closed_form(hint, axes).program
+    assert program.literals == count
+    # Constants printed as names, so that every digit in the text is a literal's.
+    names = replace(program, constants=tuple(float(1000 + i) for i in range(len(program.constants))))
+    lines, results = statements(names, C_DOUBLE, [f"x{i}" for i in range(len(axes))])
+    text = re.sub(r"\b1\d\d\d\.0\b", "k", "\n".join([*lines, *results]))
+    assert len(re.findall(r"(?<![\w.])(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?\b", text)) == count

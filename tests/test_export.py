@@ -11,17 +11,18 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from conftest import ROOT
+from conftest import ROOT, with_spec
 from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 from skylight_sh import runtime, sphere
 from skylight_sh.config.validation import usable
-from skylight_sh.export import c_header, npz
+from skylight_sh.export import c_header
 from skylight_sh.fit.axis import Axis
 from skylight_sh.run.runner import Result
 from skylight_sh.runtime import Table
-from skylight_sh.table.prefactor import Reciprocal
+from skylight_sh.table import npz
+from skylight_sh.table.prefactor import reciprocal
 from skylight_sh.table.table import fast, small, specification
 
 Array = NDArray[np.float64]
@@ -189,16 +190,17 @@ def test_tables_over_any_axes_reach_c(
     degrees = (5, 3, 2)[:axes]
     kinds = (("reciprocal", 9.0), ("identity", 0.0), ("log", -1.0))
     made = tuple(Axis(n, 0.0, 1.0 + i, map=kinds[i][0], point=kinds[i][1]) for i, n in enumerate(names))
-    factor = Reciprocal(np.array([2.0, 0.3, 0.1]).reshape(3, *(1,) * (axes - 1)).astype(np.float32))
+    numbers = np.array([2.0, 0.3, 0.1]).reshape(3, *(1,) * (axes - 1)).astype(np.float32)
+    scale = reciprocal(numbers, [axis.specified for axis in made])
     dense = rng.normal(size=(2, sphere.count(3, mirrored=mirrored), *(d + 1 for d in degrees)))
-    frame = specification(made, ("one", "two"), mirrored, basis, factor if basis == "chebyshev" else None)
+    spec = specification(made, ("one", "two"), mirrored, basis, scale if basis == "chebyshev" else None)
     if layout == "packed":
         whole = np.rint(20 * dense.swapaxes(0, 1).reshape(dense.shape[1], 2, degrees[0] + 1, -1)).astype(np.int64)
-        table = small(frame, whole * rng.integers(0, 2, whole.shape), 0.05, degrees, 3)
+        table = small(spec, whole * rng.integers(0, 2, whole.shape), 0.05, degrees, 3)
     else:
         lengths = rng.integers(0, degrees[0] + 2, size=dense.shape[3:])
         lengths.flat[0] = 2
-        table = fast(frame, dense, lengths, 3, dtype)
+        table = fast(spec, dense, lengths, 3, dtype)
     (tmp_path / "skylight_sh.h").write_text(c_header.write(table, FACTS, "other_sh"), encoding="utf-8")
     driver = compiled(tmp_path, tmp_path, axes + 1, COMPILERS["c99"], STRICT, "other_sh")
     loaded = runtime.Runtime(table)
@@ -250,8 +252,9 @@ def test_npz_round_trip_and_provenance(small_run: Result, tmp_path: Path) -> Non
         assert {"config", "version"} <= set(table.provenance)
         assert not {"environment", "keys"} & set(table.provenance)
         with np.load(folder / "skylight_sh.npz", allow_pickle=False) as archive:
-            body = {"stream", "rest_profile", "channel_profile"} if folder.name.endswith("packed") else {"rows", "lengths"}
-            assert set(archive.files) == {"header", "denominator", "transfer", "own", "below"} | body
+            packed = folder.name.endswith("packed")
+            body = {"stream", "rest_profile", "channel_profile"} if packed else {"rows", "lengths", "columns"}
+            assert set(archive.files) == {"header"} | body
     for name, content in {"text.npz": b"hello", "empty.npz": b"", "cut.npz": data[:500]}.items():
         (tmp_path / name).write_bytes(content)
         with pytest.raises(ValueError, match=r"no table .*Give the \.npz") as caught:
@@ -301,7 +304,7 @@ def test_names_of_axes_that_headers_use_are_refused(small_run: Result, tmp_path:
     assert {"haze", "hour"} <= set(allowed)
     for word in allowed:
         axes = (table.axes[0], replace(table.axes[1], name=word))
-        header = c_header.write(replace(table, axes=axes, factor=None), FACTS)
+        header = c_header.write(with_spec(table, axes=axes, scale=None), FACTS)
         (tmp_path / f"{word}.c").write_text(f"{header}\nint main(void) {{ return 0; }}\n", encoding="utf-8")
     files = [str(tmp_path / f"{word}.c") for word in allowed]
     done = subprocess.run(["gcc", "-std=c99", "-fsyntax-only", *files], capture_output=True, text=True, check=False)

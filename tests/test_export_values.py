@@ -10,13 +10,15 @@ from datetime import date
 
 import numpy as np
 import pytest
+from conftest import with_spec
 from skylight_sh import runtime
-from skylight_sh.export import c_comment, c_header, day, npz, shaders, solar
-from skylight_sh.export.shader_dialects import DIALECTS, GLSL, expression
+from skylight_sh.export import c_comment, c_header, day, shaders, solar
+from skylight_sh.export.shader_dialects import GLSL
 from skylight_sh.fit.axis import Axis
+from skylight_sh.light.preetham import Preetham
 from skylight_sh.studies.stability.flavours import flavours
-from skylight_sh.table import twilight
-from skylight_sh.table.prefactor import ClosedForm
+from skylight_sh.table import npz, twilight
+from skylight_sh.table.prefactor import closed_form
 from skylight_sh.table.table import fast, specification
 
 FLAVOURS = flavours()
@@ -26,7 +28,7 @@ FLAVOURS = flavours()
 def test_the_suns_light_on_a_surface_is_right_to_what_the_bands_hold(bands: int, lost: str) -> None:
     """A clamped cosine is 1/4 P0 + 1/2 P1 + 5/16 P2 - 3/32 P4 ..: cuts differ most at 1, then at 0."""
     base = FLAVOURS["rows"]
-    table = replace(base, bands=bands, quantity="irradiance", sun_disc=True)
+    table = replace(with_spec(base, quantity="irradiance", sun_disc=True), bands=bands)
     unit, lines = c_comment.about(table)
     assert unit == "lx"
     assert f"{bands} bands hold its light on a surface to {lost} of that" in " ".join(lines)
@@ -35,9 +37,10 @@ def test_the_suns_light_on_a_surface_is_right_to_what_the_bands_hold(bands: int,
 
 def test_a_fixed_parameter_is_told_once() -> None:
     table = FLAVOURS["rows"]
-    assert isinstance(table.factor, ClosedForm)
-    fixed = replace(table.factor, fixed=(("turbidity", 3.25),))
-    text = " ".join(c_comment.about(replace(table, factor=fixed))[1])
+    sky = Preetham().hints.prefactor
+    assert sky is not None
+    fixed = with_spec(table, axes=table.axes[:1], scale=closed_form(sky, table.axes[:1], {"turbidity": 3.25}))
+    text = " ".join(c_comment.about(fixed)[1])
     assert text.count("turbidity is 3.25 for good.") == 1
     assert "for good" not in " ".join(c_comment.about(table)[1])
 
@@ -107,17 +110,16 @@ def test_a_day_by_default_is_hourly_and_unexposed_and_skips_the_night() -> None:
     assert np.ptp(lit.numbers[dark], axis=0).max() == 0.0
 
 
-def test_c_becomes_shader_text() -> None:
-    assert expression("k[1] * (v - k[0]) - 1", (-2.0, 0.5)) == "0.5 * (v - (-2.0)) - 1.0"
-    assert GLSL.statements("const float a = k[0] + 2.0f, b = expf(a); a = b; return a * b", (0.25,)) == [
-        "float a = 0.25 + 2.0;",
-        "float b = exp(a);",
-        "a = b;",
-        "return a * b;",
-    ]
-    hlsl, wgsl = DIALECTS["hlsl"], DIALECTS["wgsl"]
-    assert hlsl.statements("const float a = powf(k[1], 2)", (1.0, -3.0)) == ["const float a = pow((-3.0), 2.0);"]
-    assert wgsl.statements("float a = 1", ()) == ["var a: f32 = 1.0;"]
+def test_formulas_become_shader_text() -> None:
+    axes = (Axis("haze", 1e-6, 1.0, map="log", point=-0.5), Axis("hour", 0.0, 3.0, map="identity"))
+    table = fast(specification(axes, ("one",), True, "chebyshev"), np.ones((1, 1, 3, 2)), np.array([3, 2]), 1, "float32")
+    head = {"glsl": "float u{}", "hlsl": "const float u{}", "wgsl": "let u{}: f32"}
+    for language, declared in head.items():
+        text = shaders.write(table, c_header.Facts("t", 0.0, 0.0, "per-set", []), language)
+        # Numbers have a point and nine digits, negative ones brackets; functions have no suffix.
+        assert f"{declared.format(0)} = 1.82048178 * log((x0 - (-0.5)) * 1.99999595) - 1.0;\n" in text
+        assert f"{declared.format(1)} = (x1 - 0.0) * 0.666666687 - 1.0;\n" in text
+        assert "t0[2] = 2.0 * t0[1] * t0[1] - 1.0;\n" in text
     assert [GLSL.vector(["1.0", "2.0", "3.0"][:n]) for n in (1, 2, 3)] == ["1.0", "vec2(1.0, 2.0)", "vec3(1.0, 2.0, 3.0)"]
     assert GLSL.constants("real", "a", ["1.0", "2.0", "3.0"], 2) == (
         "const float a[3] = float[3](\n    1.0, 2.0,\n    3.0\n);"

@@ -161,8 +161,9 @@ def test_the_zonal_window_is_a_sinc_of_its_bands(tmp_path: Path, bands: int) -> 
 
 @pytest.mark.parametrize("dtype", ["float32", "float64"])
 def test_twilight_fades_as_its_formula_says(tmp_path: Path, dtype: str) -> None:
-    frame = specification((Axis("sun_zenith", 0.0, float(np.pi / 2)),), ("one",), True, "chebyshev", None, twilight=True)
-    table = fast(frame, np.array([[[3.0]]]), np.array(1), 1, dtype)
+    sinking = {"peak_axis": "sun_zenith", "twilight": twilight.TWILIGHT}
+    axes = (Axis("sun_zenith", 0.0, float(np.pi / 2)),)
+    table = fast(specification(axes, ("one",), True, "chebyshev", **sinking), np.array([[[3.0]]]), np.array(1), 1, dtype)
     (tmp_path / "skylight_sh.h").write_text(c_header.write(table, FACTS), encoding="utf-8")
     depth = np.array([-1.0, -1e-3, 0.0, 1e-3, 0.03, 0.1, 0.15, 0.2, twilight.DEPTH])
     angles = (np.pi / 2 + depth).astype(np.float32)

@@ -20,8 +20,9 @@ from skylight_sh.config import load
 from skylight_sh.fit import peaks
 from skylight_sh.fit.errors import l_min
 from skylight_sh.quadrature import parameter_points
-from skylight_sh.reproducible import cube_root, in_double, logarithm, product, significant, to_grid
+from skylight_sh.reproducible import cube_root, logarithm, significant, to_grid
 from skylight_sh.run.runner import Result
+from skylight_sh.runtime import in_double, product
 from skylight_sh.store.store import Store
 from skylight_sh.studies.stability import same_bytes
 

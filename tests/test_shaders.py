@@ -2,25 +2,27 @@
 
 from __future__ import annotations
 
-import dataclasses
 import re
 import tomllib
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 import shader_tools
-from conftest import ROOT, SMALL, run_quietly
+from conftest import ROOT, SMALL, run_quietly, with_spec
 from numpy.typing import NDArray
 from skylight_sh import runtime, sphere
 from skylight_sh.config import ConfigError, load, loading
 from skylight_sh.export import shaders
-from skylight_sh.export.shader_dialects import DIALECTS, GLSL, WGSL, expression
+from skylight_sh.export.shader_dialects import DIALECTS
 from skylight_sh.fit.axis import Axis
+from skylight_sh.formula.elementary import exp, label
+from skylight_sh.light.protocol import Prefactor
 from skylight_sh.run.runner import Result
 from skylight_sh.runtime import Table
 from skylight_sh.studies.stability.flavours import flavours
-from skylight_sh.table.prefactor import Reciprocal
+from skylight_sh.table.prefactor import closed_form, reciprocal
 from skylight_sh.table.table import fast, specification
 
 Floats = NDArray[np.float32]
@@ -45,11 +47,12 @@ def made(axes: int, channels: int, bands: int, mirrored: bool, basis: str, over:
     rng = np.random.default_rng(axes)
     degrees = (5, 3, 2)[:axes]
     numbers = np.array([2.0, 0.3, -0.1]).reshape(3, *(1,) * (axes - 1)).astype(np.float32)
-    frame = specification(AXES[:axes], ("a", "b", "c")[:channels], mirrored, basis, Reciprocal(numbers) if over else None)
+    scale = reciprocal(numbers, [axis.specified for axis in AXES[:axes]]) if over else None
+    spec = specification(AXES[:axes], ("a", "b", "c")[:channels], mirrored, basis, scale)
     dense = rng.normal(size=(channels, sphere.count(bands, mirrored=mirrored), *(d + 1 for d in degrees)))
     lengths = rng.integers(0, degrees[0] + 2, size=dense.shape[3:])
     lengths.flat[0] = 2
-    return fast(frame, dense, lengths, bands, "float32")
+    return fast(spec, dense, lengths, bands, "float32")
 
 
 def tables() -> dict[str, Table]:
@@ -132,26 +135,29 @@ def test_what_cannot_become_a_shader_is_refused(small_run: Result) -> None:
             shaders.write(table, shader_tools.FACTS, "glsl")
     table = made(*MADE["one-band"])
     with pytest.raises(ValueError, match="5 channels"):
-        shaders.write(dataclasses.replace(table, channels=tuple("abcde")), shader_tools.FACTS, "wgsl")
+        shaders.write(with_spec(table, channels=tuple("abcde")), shader_tools.FACTS, "wgsl")
     for prefix in ("gl_sky", "a__b", "sky_", "Sky"):
         with pytest.raises(ValueError, match="Invalid prefix"):
             shaders.write(table, shader_tools.FACTS, "hlsl", prefix)
 
 
-def test_c_becomes_a_dialect() -> None:
-    body = "const float a = k[0] * x - 1,\n b = fma(x, 2.0f);\nfloat c = a;\nc = expf(c * k[1]);\nreturn 1e-05f * c;"
-    assert WGSL.statements(body, (-0.5, 3.0)) == [
-        "let a: f32 = (-0.5) * x - 1.0;",
-        "let b: f32 = fma(x, 2.0);",
-        "var c: f32 = a;",
-        "c = exp(c * 3.0);",
-        "return 1e-05 * c;",
-    ]
-    assert GLSL.statements("float c = k[0], d = 2;", (0.25,)) == ["float c = 0.25;", "float d = 2.0;"]
-    assert expression("k[1] * (v - k[0]) - 1", (1e-6, 2.0)) == "2.0 * (v - 9.99999997e-07) - 1.0"
-    for text in ("if (x < 0) x = 0;", "return x > 0 ? x : 0;", "int n = 3;", "x += 1;"):
-        with pytest.raises(ValueError, match="Cannot translate"):
-            GLSL.statements(text, ())
+def test_a_prefactor_becomes_a_dialect() -> None:
+    def formula(x: Any, k: Any) -> Any:
+        a = label(k[0] * x - 1, "a")
+        c = label(exp(a * k[1]), "c")
+        return 1e-5 * c / (x * k[2])
+
+    axis = Axis("haze", 1.0, 3.0)
+    scale = closed_form(Prefactor("made_up", ("haze",), (-0.5, 3.0, 1e-6), formula), (axis.specified,))
+    table = fast(specification((axis,), ("one",), True, "chebyshev", scale), np.ones((1, 1, 2)), np.array(2), 1, "float32")
+    for language, declared in {"glsl": "float {}", "hlsl": "const float {}", "wgsl": "let {}: f32"}.items():
+        text = shaders.write(table, shader_tools.FACTS, language)
+        lines = [
+            f"{declared.format('a')} = (-0.5) * x0 - 1.0;",
+            f"{declared.format('c')} = exp(a * 3.0);",
+            "return 9.99999975e-06 * c / (x0 * 9.99999997e-07);",
+        ]
+        assert "\n".join(f"    {line}" for line in lines) in text
 
 
 def test_a_run_publishes_the_shaders_it_is_asked_for(small_run: Result, tmp_path: Path) -> None:

@@ -6,37 +6,44 @@ from typing import Any
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 from skylight_sh import runtime, sphere
 from skylight_sh.fit.axis import Axis
 from skylight_sh.light.preetham import Preetham
-from skylight_sh.runtime import Surroundings, Table
+from skylight_sh.runtime import BitReader, Packed, Rows, Surroundings, Table
 from skylight_sh.table import bits, packed, prefactor, rows, surroundings, twilight
-from skylight_sh.table.prefactor import ClosedForm, Reciprocal
-from skylight_sh.table.row_layout import carried, layout
-from skylight_sh.table.table import fast, small, specification
+from skylight_sh.table.prefactor import closed_form, reciprocal
+from skylight_sh.table.row_layout import Layout, carried, layout
+from skylight_sh.table.size import bytes_of, coefficients_of
+from skylight_sh.table.surroundings import gain
+from skylight_sh.table.table import fast, float32_limits, small, specification
 
 Array = NDArray[np.float64]
 ZENITH = Axis("sun_zenith", 0.0, float(np.pi / 2), map="reciprocal", point=5.0)
 HAZE = Axis("haze", 1.0, 3.0, map="log", point=0.5)
 
 
-def staircase(mirrored: bool = True, dtype: str = "float32", **scene: Any) -> Table:
+def staircase(dtype: str = "float32", around: Surroundings | None = None, **scene: Any) -> Table:
     """Two channels, three bands, lengths 3, 2 and 0: five terms."""
     rng = np.random.default_rng(1)
-    frame = specification((ZENITH, HAZE), ("a", "b"), mirrored, "chebyshev", None, **scene)
-    dense = rng.normal(size=(2, sphere.count(3, mirrored=mirrored), 4, 3))
-    return fast(frame, dense, np.array([3, 2, 0]), 3, dtype)
+    spec = specification((ZENITH, HAZE), ("a", "b"), True, "chebyshev", None, **scene)
+    dense = rng.normal(size=(2, sphere.count(3, mirrored=True), 4, 3))
+    return fast(spec, dense, np.array([3, 2, 0]), 3, dtype, around)
+
+
+def outputs(bands: int, channels: int, *, mirrored: bool, quantity: str = "radiance") -> Layout:
+    """The order of a table's outputs in a row."""
+    return layout(specification((ZENITH,), tuple("abc"[:channels]), mirrored, "chebyshev", quantity=quantity), bands)
 
 
 def test_outputs_stand_in_fours_that_start_at_multiples_of_four() -> None:
-    found = layout(4, 1, mirrored=True)
+    found = outputs(4, 1, mirrored=True)
     # Bands 0, 1 and 2 leave one, two and three; band 3 is a four of its own, and a gap before it is filled.
     expected = [(0, 0, 0), (1, 0, 0), (1, 0, 1), (2, 0, 0), (2, 0, 1), (2, 0, 2), None, None]
     expected += [(3, 0, 0), (3, 0, 1), (3, 0, 2), (3, 0, 3), None, None, None, None]
     assert list(found.places) == expected
     assert found.widths == (8, 8, 8, 16)
-    two = layout(5, 2, mirrored=True)
+    two = outputs(5, 2, mirrored=True)
     for l in (3, 4):
         for c in range(2):
             for start in range((l + 1) % 4, l + 1, 4):
@@ -49,10 +56,12 @@ def test_outputs_stand_in_fours_that_start_at_multiples_of_four() -> None:
     assert len(two.places) % 8 == 0
     # The gap before a four of band 3 is filled with what band 4 leaves over.
     assert None not in two.places[:20]
-    whole = layout(2, 2, mirrored=False)
+    whole = outputs(2, 2, mirrored=False)
     assert list(whole.places) == [(0, 0, 0), (0, 1, 0), *[(1, c, m) for c in range(2) for m in (-1, 0, 1)]]
     assert whole.widths == (8, 8)
-    assert layout(4, 1, mirrored=False, degrees=(0, 1, 2)).columns(4, 1, mirrored=False)[0, 9:].tolist() == [-1] * 7
+    # Diffuse irradiance has no band 3.
+    diffuse = outputs(4, 1, mirrored=False, quantity="irradiance")
+    assert diffuse.columns(4, 1, mirrored=False)[0, 9:].tolist() == [-1] * 7
 
 
 def test_diffuse_irradiance_has_no_odd_bands_but_the_first() -> None:
@@ -71,11 +80,11 @@ def test_bands_that_carry_nothing_are_zero() -> None:
     found = table.evaluate(np.array([[0.3]]))[0, 0]
     assert found[:6].all()
     assert found[6:].tolist() == [0.0] * 4
-    assert table.coefficients == 2 * 6
+    assert coefficients_of(table) == 2 * 6
 
 
 def test_rows_hold_the_terms_in_order() -> None:
-    assert rows.terms(np.array([3, 0, 1])).tolist() == [0, 3, 6, 2]
+    assert runtime.kept_terms(np.array([3, 0, 1])).tolist() == [0, 3, 6, 2]
     assert rows.used_degrees(np.array([3, 2, 0]), [9, 2]) == (2, 1)
     assert rows.used_degrees(np.array([0, 0]), [9, 1]) == (0, 0)
     assert rows.used_degrees(np.array([4]), [9]) == (3,)
@@ -86,44 +95,52 @@ def test_sizes_are_those_of_every_number_read() -> None:
     """Of rows: width times terms, ranges and constants of the axes, a byte a length and a band's width."""
     table = staircase()
     assert table.degrees == (2, 1)
-    assert table.rest == 2
-    assert table.coefficients == 5 * 2 * 6
+    assert coefficients_of(table) == 5 * 2 * 6
     # 12 outputs in 16 columns; an axis has two ends; reciprocal and log have three constants each.
     axes = (2 + 3) + (2 + 3)
-    assert table.layout.widths == (8, 8, 16)
-    assert table.bytes == 4 * (5 * 16 + axes) + 2 + 3
-    assert table.bytes_at(1) == 4 * (5 * 8 + axes) + 2 + 3
-    assert staircase(dtype="float64").bytes == 8 * (5 * 16 + axes) + 2 + 3
-    assert staircase(twilight=True).bytes - table.bytes == 4 * 4
+    assert layout(table.spec, 3).widths == (8, 8, 16)
+    assert bytes_of(table) == 4 * (5 * 16 + axes) + 2 + 3
+    assert bytes_of(table, 1) == 4 * (5 * 8 + axes) + 2 + 3
+    assert bytes_of(staircase(dtype="float64")) == 8 * (5 * 16 + axes) + 2 + 3
+    assert bytes_of(staircase(peak_axis="sun_zenith", twilight=twilight.TWILIGHT)) - bytes_of(table) == 4 * 4
     around = Surroundings(np.eye(9), np.ones((2, 9)), np.zeros(0))
-    surrounded = staircase(surroundings={3: around})
-    assert surrounded.bytes - table.bytes == 4 * (81 + 18)
-    assert surrounded.bytes_at(1) == surrounded.bytes
+    surrounded = staircase(around=around)
+    assert bytes_of(surrounded) - bytes_of(table) == 4 * (81 + 18)
+    assert bytes_of(surrounded, 1) == bytes_of(surrounded)
 
-    found = Reciprocal(np.array([[2.0, 0.3], [0.4, 0.1]], dtype=np.float32))
-    frame = specification((ZENITH, HAZE), ("a",), True, "chebyshev", found)
+    found = reciprocal(np.array([[2.0, 0.3], [0.4, 0.1]], dtype=np.float32), (ZENITH.specified, HAZE.specified))
+    spec = specification((ZENITH, HAZE), ("a",), True, "chebyshev", found)
     numbers = np.zeros((6, 1, 3, 2), dtype=np.int64)
     numbers[:, 0, :2, 0] = np.arange(1, 13).reshape(6, 2)
-    whole = small(frame, numbers, 0.5, (2, 1), 3)
+    whole = small(spec, numbers, 0.5, (2, 1), 3)
     assert whole.degrees == (1, 0)
-    assert whole.coefficients == 12
-    assert isinstance(whole.body, packed.Packed)
+    assert coefficients_of(whole) == 12
+    assert isinstance(whole.body, Packed)
     profiles = whole.body.rest_profile.size + whole.body.channel_profile.size
-    assert whole.bytes == len(whole.body.stream) + profiles + 4 * (axes + 4 + 1)
-    assert whole.bytes_at(2) < whole.bytes
+    assert bytes_of(whole) == len(whole.body.stream) + profiles + 4 * (axes + 4 + 1)
+    assert bytes_of(whole, 2) < bytes_of(whole)
 
 
 def test_prefactors_count_what_stands_in_their_code() -> None:
     sky = Preetham().hints.prefactor
     assert sky is not None
-    closed = ClosedForm(sky.name, sky.constants, (("turbidity", 3.0),))
-    assert closed.numbers == len(sky.constants) + 1 + sky.literals
+    turbid = Axis("turbidity", 2.5, 6.0)
+    closed = closed_form(sky, (ZENITH.specified, turbid.specified))
+    assert prefactor.numbers(closed) == len(sky.constants) + 25
+    fixed = closed_form(sky, (ZENITH.specified,), {"turbidity": 3.0})
+    assert fixed.fixed == (("turbidity", 3.0),)
+    assert prefactor.numbers(fixed) == len(sky.constants) + 1 + 25
+    zeniths = np.array([0.0, 0.6, 1.5])
+    pairs = np.stack([zeniths, np.full(3, 3.0)], axis=-1)
+    assert prefactor.evaluate(fixed, zeniths[:, np.newaxis]).tolist() == prefactor.evaluate(closed, pairs).tolist()
     # 2 + 0.3 T1(v) + 0.4 T1(u) + 0.1 T1(u) T1(v) at two places.
-    found = Reciprocal(np.array([[2.0, 0.3], [0.4, 0.1]]))
-    axes = (Axis("a", 0.0, 1.0), Axis("b", 0.0, 4.0))
-    got = prefactor.evaluate(found, axes, np.array([[0.75, 1.0], [0.0, 4.0]]))
+    axes = (Axis("a", 0.0, 1.0).specified, Axis("b", 0.0, 4.0).specified)
+    found = reciprocal(np.array([[2.0, 0.3], [0.4, 0.1]]), axes)
+    assert prefactor.numbers(found) == 4
+    got = prefactor.evaluate(found, np.array([[0.75, 1.0], [0.0, 4.0]]))
     assert got == pytest.approx([1 / (2 - 0.15 + 0.2 - 0.025), 1 / (2 + 0.3 - 0.4 - 0.1)])
-    assert prefactor.evaluate(None, axes, np.zeros((3, 2))).tolist() == [1.0] * 3
+    assert prefactor.evaluate(None, np.zeros((3, 2))).tolist() == [1.0] * 3
+    assert prefactor.numbers(None) == 0
 
 
 def test_limits_leave_a_millionth() -> None:
@@ -149,7 +166,7 @@ def test_limits_leave_a_millionth() -> None:
         False,
         True,
     ]
-    for (low, high), (first, last) in zip(table.ranges, table.float32_limits(), strict=True):
+    for (low, high), (first, last) in zip(table.ranges, float32_limits(table), strict=True):
         slack = 1e-6 * max(high - low, 1.0)
         assert np.float32(first) == first >= low - slack > float(np.nextafter(np.float32(first), np.float32(-9)))
         assert np.float32(last) == last <= high + slack < float(np.nextafter(np.float32(last), np.float32(9)))
@@ -157,10 +174,15 @@ def test_limits_leave_a_millionth() -> None:
 
 def test_twilight_is_its_formula() -> None:
     """(1 - x)^10 (1 + 10 x) over twelve degrees: 0.6 % at six of them, and nothing at the end."""
-    assert twilight.fade(np.array([0.0, np.pi / 2])).tolist() == [1.0, 1.0]
-    assert twilight.fade(np.pi / 2 + np.radians([6.0, 3.0])) == pytest.approx([6 / 1024, 0.75**10 * 3.5])
-    assert twilight.fade(np.pi / 2 + np.radians([12.0, 20.0])) == pytest.approx([0.0, 0.0], abs=1e-150)
-    table = staircase(twilight=True)
+    table = staircase(peak_axis="sun_zenith", twilight=twilight.TWILIGHT)
+
+    def fade(zeniths: ArrayLike) -> Array:
+        zeniths = np.atleast_1d(zeniths)
+        return table.fade(np.stack([zeniths, np.full(zeniths.size, 2.0)], axis=-1))
+
+    assert fade([0.0, np.pi / 2]).tolist() == [1.0, 1.0]
+    assert fade(np.pi / 2 + np.radians([6.0, 3.0])) == pytest.approx([6 / 1024, 0.75**10 * 3.5])
+    assert fade(np.pi / 2 + np.radians([12.0, 20.0])) == pytest.approx([0.0, 0.0], abs=1e-150)
     assert table.ranges[0] == (0.0, pytest.approx(np.pi / 2 + np.radians(12.0)))
     assert table.fade(np.array([[np.pi / 2 + np.radians(6.0), 2.0]])) == pytest.approx([6 / 1024])
     assert table.fade(np.array([[0.3, 2.0]])).tolist() == [1.0]
@@ -169,7 +191,7 @@ def test_twilight_is_its_formula() -> None:
 def test_the_runtime_sums_polynomials_and_turns_them() -> None:
     """One weight at a time: T_i(u) T_j(v) times its coefficient, m > 0 by the cosine, m < 0 by the sine (eq. 4)."""
     table = staircase(dtype="float64")
-    assert isinstance(table.body, rows.Rows)
+    assert isinstance(table.body, Rows)
     theta, phi, haze = 0.7, 1.1, 2.2
     u = (1 / (5 - theta) - 1 / 5) / (1 / (5 - np.pi / 2) - 1 / 5) * 2 - 1
     v = np.log((haze - 0.5) / 0.5) / np.log(2.5 / 0.5) * 2 - 1
@@ -177,7 +199,7 @@ def test_the_runtime_sums_polynomials_and_turns_them() -> None:
     loaded = runtime.Runtime(table)
     got, status = loaded.weights_and_status(theta, phi, haze)
     assert status == runtime.OK == 0
-    for column, place in enumerate(table.layout.places):
+    for column, place in enumerate(layout(table.spec, 3).places):
         if place:
             l, c, m = place
             value = terms @ table.body.rows[:, column]
@@ -203,7 +225,7 @@ def test_bits_are_rice_codes() -> None:
     writer.rice(-1, 0)
     # -1 folds to 1: a one and a zero.
     assert writer.bytes() == bytes([0b10100111, 0b01])
-    reader = bits.Reader(bytes([0b10100111, 0b01]))
+    reader = BitReader(bytes([0b10100111, 0b01]))
     assert (reader.rice(1), reader.fixed(3), reader.rice(0)) == (3, 5, -1)
 
 
@@ -211,11 +233,11 @@ def test_a_packed_table_holds_the_largest_numbers_and_runs() -> None:
     largest = (1 << 30) - 1
     degrees = np.zeros(1, dtype=np.int64)
     numbers = np.array([largest, -largest]).reshape(1, 1, 2, 1)
-    assert packed.unpack(packed.pack(numbers, degrees)).ravel().tolist() == [largest, -largest]
+    assert runtime.unpack(packed.pack(numbers, degrees), degrees).ravel().tolist() == [largest, -largest]
     with pytest.raises(ValueError, match="up to 1073741823, not 1073741824"):
         packed.pack(-numbers - np.array([1, 1]).reshape(1, 1, 2, 1), degrees)
     ones = np.ones((1, 1, 31, 1), dtype=np.int64)
-    assert packed.unpack(packed.pack(ones, degrees)).ravel().tolist() == [1] * 31
+    assert runtime.unpack(packed.pack(ones, degrees), degrees).ravel().tolist() == [1] * 31
     with pytest.raises(ValueError, match="at most 31 terms"):
         packed.pack(np.ones((1, 1, 32, 1), dtype=np.int64), degrees)
 
@@ -252,7 +274,7 @@ def test_lights_add_to_what_clouds_shine() -> None:
     assert np.array_equal(both.transfer, cloudy.transfer)
     level = sphere.horizon(0.0, wide)[:9]
     assert cloudy.own == pytest.approx(np.multiply.outer([0.5, 0.75], level), abs=1e-12)
-    assert cloudy.numbers == 81 + 18
+    assert cloudy.transfer.size + cloudy.own.size + cloudy.below.size == 81 + 18
 
     ground = surroundings.build(bands, skyline=[0.1, 0.2, 0.1, 0.05], albedo=[0.5, 0.25], lights=lights)
     dark = np.zeros((2, 9))
@@ -271,10 +293,10 @@ def test_lights_add_to_what_clouds_shine() -> None:
 
 
 def test_the_gain_is_the_largest_stretch() -> None:
-    assert Surroundings().gain == 1.0
-    assert Surroundings(own=np.ones((1, 4))).gain == 1.0
+    assert gain(Surroundings()) == 1.0
+    assert gain(Surroundings(own=np.ones((1, 4)))) == 1.0
     stretch = np.diag([1.0, 2.0, 0.5, 0.25])
-    assert Surroundings(stretch).gain == pytest.approx(2.0)
+    assert gain(Surroundings(stretch)) == pytest.approx(2.0)
     below = np.array([[0.0, 0.0, 0.0, 0.0], [0.0, 0.0, 5.0, 0.0]])
     # The ground's share of the third weight: 0.5 + 5 * 0.5.
-    assert Surroundings(stretch, below=below).gain == pytest.approx(3.0)
+    assert gain(Surroundings(stretch, below=below)) == pytest.approx(3.0)

@@ -10,28 +10,41 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from conftest import ROOT, SMALL, run_quietly
+from conftest import ROOT, SMALL, run_quietly, with_spec
+from numpy.typing import NDArray
 from skylight_sh import runtime
 from skylight_sh.config import ConfigError, parse
-from skylight_sh.export import day, engines, npz, solar
-from skylight_sh.runtime import Surroundings
+from skylight_sh.export import day, engines, solar
+from skylight_sh.runtime import Surroundings, Table
 from skylight_sh.scene import clear_day
-from skylight_sh.table import twilight
+from skylight_sh.studies.stability.flavours import flavours
+from skylight_sh.table import npz, twilight
 from test_cli import invoke
 
 TEXT = SMALL.read_text(encoding="utf-8")
 HORIZON = np.pi / 2
+Array = NDArray[np.float64]
+
+
+def sinking(table: Table) -> Table:
+    """Return ``table`` with twilight."""
+    return with_spec(table, peak_axis="sun_zenith", twilight=twilight.TWILIGHT)
 
 
 def test_the_fade_is_smooth_and_ends() -> None:
+    table = flavours()["twilight"]
+
+    def fade(zeniths: Array) -> Array:
+        return table.fade(np.stack([zeniths, np.full(zeniths.size, 3.0)], axis=-1))
+
     depth = np.radians(np.linspace(-5.0, 20.0, 2001))
-    factor = twilight.fade(HORIZON + depth)
+    factor = fade(HORIZON + depth)
     assert np.all(factor[depth <= 0] == 1.0)
     assert np.all(factor[depth >= np.radians(12.0)] == 0.0)
     falling = factor[(depth > 0) & (depth < np.radians(12.0))]
     assert np.all(np.diff(falling) < 0)
     # Once continuously differentiable everywhere: second differences stay bounded as the step halves.
-    steepest = [np.abs(np.diff(twilight.fade(np.linspace(1.5, 1.9, n)), 2)).max() * (n - 1) ** 2 for n in (4001, 16001)]
+    steepest = [np.abs(np.diff(fade(np.linspace(1.5, 1.9, n)), 2)).max() * (n - 1) ** 2 for n in (4001, 16001)]
     assert steepest[1] == pytest.approx(steepest[0], rel=0.02)
 
 
@@ -39,7 +52,7 @@ def test_the_fade_is_as_dark_as_measured() -> None:
     """What is measured falls to 3.4 lx at the end of civil twilight and to 0.008 lx at that of nautical twilight."""
     sunset, civil, nautical = clear_day.twilight(np.radians([0.0, 6.0, 12.0]))
     assert (sunset, civil, nautical) == (pytest.approx(759, 0.01), pytest.approx(3.4, 0.02), pytest.approx(0.008, 0.05))
-    assert twilight.fade(HORIZON + np.radians(6.0)) == pytest.approx(civil / sunset, rel=0.35)
+    assert twilight.fade(0.5) == pytest.approx(civil / sunset, rel=0.35)
 
 
 def test_a_table_fades_its_horizon(tmp_path: Path) -> None:
@@ -63,7 +76,7 @@ def test_a_table_fades_its_horizon(tmp_path: Path) -> None:
 def test_lamps_shine_at_night() -> None:
     table = runtime.read(ROOT / "reports" / "reference" / "export" / "skylight_sh.npz")
     lamps = np.arange(3.0 * table.bands**2).reshape(3, -1)
-    lit = runtime.Runtime(dataclasses.replace(table, twilight=True, surroundings=Surroundings(own=lamps)))
+    lit = runtime.Runtime(dataclasses.replace(sinking(table), surroundings=Surroundings(own=lamps)))
     night = datetime(2024, 3, 20, tzinfo=UTC).date()
     request = day.Request(
         "filament-radiance", solar.Place(48.2, 16.4), night, {"turbidity": 3.0}, night="zero", exposure=0.5
@@ -92,7 +105,7 @@ def test_twilight_begins_on_the_horizon(edit: tuple[str, str]) -> None:
 
 
 def test_a_day_goes_on_to_12_degrees(tmp_path: Path) -> None:
-    table = dataclasses.replace(runtime.read(ROOT / "reports" / "reference" / "export" / "skylight_sh.npz"), twilight=True)
+    table = sinking(runtime.read(ROOT / "reports" / "reference" / "export" / "skylight_sh.npz"))
     (tmp_path / "t.npz").write_bytes(npz.write(table))
     place = ("--latitude", "48.2", "--longitude", "16.4", "--date", "2024-03-20", "--turbidity", "3", "--step", "10")
     code, out, err = invoke(

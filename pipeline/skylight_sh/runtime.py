@@ -388,11 +388,11 @@ class Table:
         return out
 
     def whole(self, stored: Floats, bands: int | None = None) -> Floats:
-        """Spread stored weights ``(..., count)`` over all N*N of the first ``bands`` bands, ``(..., bands**2)``."""
+        """Spread stored weights of at least ``bands`` bands, ``(..., count)``, over all N*N of them, ``(..., bands**2)``."""
         bands = self.bands if bands is None else bands
-        kept = self.places < bands * bands
+        places = flat_places(bands, mirrored=self.spec.mirrored)
         full = np.zeros((*stored.shape[:-1], bands * bands), dtype=stored.dtype)
-        full[..., self.places[kept]] = stored[..., kept]
+        full[..., places] = stored[..., : places.size]
         return full
 
     @property

@@ -19,9 +19,10 @@ from skylight_sh.export.c_header import Facts
 from skylight_sh.fit.axis import Axis
 from skylight_sh.light.perez import Perez
 from skylight_sh.light.preetham import Preetham
-from skylight_sh.runtime import Table
-from skylight_sh.table.prefactor import ClosedForm, Factor, Reciprocal
+from skylight_sh.runtime import Scale, Table
+from skylight_sh.table.prefactor import closed_form, reciprocal
 from skylight_sh.table.table import fast, specification
+from skylight_sh.table.twilight import TWILIGHT
 
 from golden.oracles import basis, degrees, hemisphere, lobe, orders, preetham_shape, sinc, upper
 
@@ -89,7 +90,7 @@ class Made:
     def stored(self, values: list[complex]) -> Complex:
         """The weights at azimuth 0, ``(channels, stored)``."""
         u = [mapped(axis, v) for axis, v in zip(self.table.axes, values, strict=True)]
-        rows = [polynomial(c, u, self.table.basis) for c in self.dense.reshape(-1, *self.dense.shape[2:])]
+        rows = [polynomial(c, u, self.table.spec.basis) for c in self.dense.reshape(-1, *self.dense.shape[2:])]
         return np.reshape(rows, self.dense.shape[:2]) * self.factor(values)
 
     def turned(self, stored: Array, azimuth: float) -> Array:
@@ -97,7 +98,7 @@ class Made:
         bands = self.table.bands
         l, m = degrees(bands), orders(bands)
         full = np.zeros((len(stored), bands**2))
-        full[:, m >= 0 if self.table.mirrored else slice(None)] = stored
+        full[:, m >= 0 if self.table.spec.mirrored else slice(None)] = stored
         partner = full[:, l * (l + 1) - m]
         return np.where(
             m >= 0,
@@ -121,7 +122,7 @@ def make(
     axes: tuple[Axis, ...],
     top: tuple[int, ...],
     bands: int,
-    factor: Factor | None,
+    scale: Scale | None,
     formula: Callable[[list[complex]], complex] | None = None,
     *,
     mirrored: bool = True,
@@ -130,12 +131,16 @@ def make(
     channels: int = 3,
 ) -> Made:
     rng = np.random.default_rng(sum(top) + bands)
-    frame = specification(axes, ("red", "green", "blue")[:channels], mirrored, basis_name, factor)
+    spec = specification(axes, ("red", "green", "blue")[:channels], mirrored, basis_name, scale)
     count = bands * (bands + 1) // 2 if mirrored else bands**2
     dense = rng.normal(size=(channels, count, *(d + 1 for d in top)))
     lengths = np.full([d + 1 for d in top[1:]], top[0] + 1)
-    table = fast(frame, dense, lengths, bands, dtype)
+    table = fast(spec, dense, lengths, bands, dtype)
     return Made(table, dense, formula or (lambda _: 1.0 + 0j))
+
+
+def specified(axes: tuple[Axis, ...]) -> list[runtime.Axis]:
+    return [axis.specified for axis in axes]
 
 
 def over_polynomial(axes: tuple[Axis, ...], numbers: Array) -> Callable[[list[complex]], complex]:
@@ -156,22 +161,23 @@ THREE = (
     Axis("albedo", 0.0, 1.0, map="cbrt", point=1.3),
     Axis("haze", 1.0, 3.0, map="log", point=4.0),
 )
+BRIGHT = (replace(SUN, map="identity"), Axis("brightness", 0.2, 0.5))
 DENOMINATOR = np.array([[2.0, 0.3], [-0.1, 0.2], [0.05, 0.0]])
 MADE = {
-    "preetham": make((SUN, WEATHER), (5, 3), 4, ClosedForm("preetham_zenith", PREETHAM.constants), preetham_factor),
+    "preetham": make((SUN, WEATHER), (5, 3), 4, closed_form(PREETHAM, specified((SUN, WEATHER))), preetham_factor),
     "perez": make(
-        (replace(SUN, map="identity"), Axis("brightness", 0.2, 0.5)),
+        BRIGHT,
         (3, 2),
         2,
-        ClosedForm("perez_zenith", PEREZ.constants),
+        closed_form(PEREZ, specified(BRIGHT)),
         perez_factor,
         mirrored=False,
     ),
-    "pole": make(TWO, (4, 3), 3, Reciprocal(DENOMINATOR), over_polynomial(TWO, DENOMINATOR)),
+    "pole": make(TWO, (4, 3), 3, reciprocal(DENOMINATOR, specified(TWO)), over_polynomial(TWO, DENOMINATOR)),
     "three": make(THREE, (3, 2, 4), 2, None, channels=1),
     "one": make((replace(SUN, map="log", point=-0.3),), (6,), 3, None, channels=1, mirrored=False),
     "single": make(
-        (SUN, WEATHER), (5, 3), 4, ClosedForm("preetham_zenith", PREETHAM.constants), preetham_factor, dtype="float32"
+        (SUN, WEATHER), (5, 3), 4, closed_form(PREETHAM, specified((SUN, WEATHER))), preetham_factor, dtype="float32"
     ),
     "legendre": make((SUN, WEATHER), (4, 3), 2, None, basis_name="legendre", mirrored=False),
     "monomial": make((replace(SUN, map="identity"),), (7,), 2, None, basis_name="monomial"),
@@ -198,7 +204,7 @@ def printed(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Array]:
         prefix, table = f"{name}_sh", made.table
         (folder / f"{name}.h").write_text(c_header.write(table, FACTS, prefix), encoding="utf-8")
         axes, channels, count = len(table.axes), len(table.channels), table.bands**2
-        slopes = table.basis == "chebyshev"
+        slopes = table.spec.basis == "chebyshev"
         body.append(f"static float {name}_w[{channels}][{count}], {name}_g[{axes}][{channels}][{count}], {name}_d[3];")
         body.append(f"static const float {name}_a[3] = {{ 0.1f, 0.5f, 0.9f }};\nstatic void {name}_run(void) {{")
         for values, azimuth in inputs(made):
@@ -240,7 +246,7 @@ def test_c_values_gradient_ground_and_window(printed: dict[str, Array], name: st
         expected = made.weights(values, azimuth)
         assert np.abs(got - expected).max() < tolerance * np.abs(expected).max()
         slopes, numbers = numbers[: axes * math.prod(shape)].reshape(axes, *shape), numbers[axes * math.prod(shape) :]
-        if table.basis == "chebyshev":
+        if table.spec.basis == "chebyshev":
             exact = made.gradient(values, azimuth)
             for one, other in zip(slopes, exact, strict=True):
                 assert np.abs(one - other).max() < 10 * tolerance * np.abs(other).max()
@@ -265,10 +271,10 @@ def test_twilight_and_the_folded_window_in_c(tmp_path: Path) -> None:
     """A sun 0 to 12 degrees below the horizon, and fewer bands of a table with eq. 5's window in its weights."""
     axis = Axis("sun_zenith", 0.0, math.pi / 2, "rad")
     dense = np.random.default_rng(71).normal(size=(1, 10, 4))
-    frame = specification((axis,), ("luminance",), True, "chebyshev", None)
+    spec = specification((axis,), ("luminance",), True, "chebyshev", None)
     lengths, dark = np.array(4), math.pi / 2
-    sunk = replace(fast(frame, dense, lengths, 4, "float64"), twilight=True)
-    folded = replace(fast(frame, dense, lengths, 4, "float64"), windowed=True)
+    sunk = fast(replace(spec, peak_axis="sun_zenith", twilight=TWILIGHT), dense, lengths, 4, "float64")
+    folded = fast(replace(spec, windowed=True), dense, lengths, 4, "float64")
     (tmp_path / "sunk.h").write_text(c_header.write(sunk, FACTS, "sunk"), encoding="utf-8")
     (tmp_path / "folded.h").write_text(c_header.write(folded, FACTS, "folded"), encoding="utf-8")
     shares = [0.0, 0.2, 0.6, 1.0]
@@ -339,7 +345,12 @@ using std::abs; using std::exp; using std::floor; using std::log; using std::pow
 SHADED = {
     "preetham": replace(MADE["preetham"], table=MADE["single"].table),
     "pole": make(
-        TWO, (4, 3), 5, Reciprocal(DENOMINATOR.astype(np.float32)), over_polynomial(TWO, DENOMINATOR), dtype="float32"
+        TWO,
+        (4, 3),
+        5,
+        reciprocal(DENOMINATOR.astype(np.float32), specified(TWO)),
+        over_polynomial(TWO, DENOMINATOR),
+        dtype="float32",
     ),
     "many": make((SUN, replace(WEATHER, map="identity")), (3, 2), 9, None, dtype="float32", mirrored=False),
     "legendre": make((SUN, WEATHER), (4, 3), 3, None, dtype="float32", basis_name="legendre", mirrored=False),

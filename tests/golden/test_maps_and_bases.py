@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import re
 import subprocess
 from collections.abc import Callable
 from pathlib import Path
@@ -15,7 +14,7 @@ import pytest
 from scipy import special
 from skylight_sh.fit.axis import Axis
 from skylight_sh.formula.bases import BASES
-from skylight_sh.formula.variables import VARIABLES
+from skylight_sh.formula.printers import C_DOUBLE, assignments, statements
 
 Number = mpmath.mpf
 
@@ -78,9 +77,8 @@ def test_the_c_text_of_every_map(tmp_path: Path) -> None:
     functions, calls, expected = [], [], []
     for n, (name, low, high, point, make) in enumerate(CASES):
         axis, exact = Axis("x", low, high, map=name, point=point), by_ends(make(Number(point)), low, high)
-        numbers = ", ".join(repr(float(c)) for c in axis.constants)
-        text = VARIABLES[name].c_expression.replace("LOG", "log").replace("CBRT", "cbrt")
-        functions.append(f"static double map{n}(double v) {{ static const double k[] = {{ {numbers} }}; return {text}; }}")
+        lines, results = statements(axis.specified.variable, C_DOUBLE, ["v"])
+        functions.append(f"static double map{n}(double v) {{ {' '.join(lines)} return {results[0]}; }}")
         for share in SHARES:
             value = low + share * (high - low)
             calls.append(f'printf("%.17g\\n", map{n}({value!r}));')
@@ -111,12 +109,15 @@ def test_bases_and_their_c_text(name: str, tmp_path: Path) -> None:
         assert BASES[name].vander(np.array([u]), degree)[0] == pytest.approx(exact, abs=1e-12)
         calls.append(f'fill({u!r}, t); for (k = 0; k <= {degree}; ++k) printf("%.17g\\n", t[k]);')
         expected += exact
-    fill = re.sub(r"\breal\b", "double", BASES[name].c_fill).replace("COS(", "cos(").replace("SIN(", "sin(")
-    body = f"static void fill(double u, double *t) {{ const int n = {degree + 1}; int i; t[0] = 1; {fill} }}\n"
-    found = compiled(
-        f"{body}int main(void) {{ double t[{degree + 1}]; int k; {' '.join(calls)} return 0; }}", tmp_path / name
-    )
-    assert found == pytest.approx(expected, abs=1e-12)
+    for shallow in (False, True):
+        program = BASES[name].program(degree, shallow=shallow)
+        fill = "\n".join(assignments(program, C_DOUBLE, ["u"], [f"t[{k}]" for k in range(degree + 1)]))
+        found = compiled(
+            f"static void fill(double u, double *t) {{\n{fill}\n}}\n"
+            f"int main(void) {{ double t[{degree + 1}]; int k; {' '.join(calls)} return 0; }}",
+            tmp_path / f"{name}{shallow:d}",
+        )
+        assert found == pytest.approx(expected, abs=1e-12)
     assert BASES[name].nested == (name == "chebyshev")
 
 

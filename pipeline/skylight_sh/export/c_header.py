@@ -200,7 +200,10 @@ def _factor(table: Table) -> dict[str, str]:
 def _body(program: Program, language: Language, inputs: Sequence[str]) -> str:
     """Return the statements of a function of one result."""
     lines, results = printers.statements(program, language, inputs)
-    return "\n".join([*lines, f"return {results[0]};"])
+    read = {int(step[1]) for step in program.steps if step[0] == "input"}
+    # Compilers warn of what a factor of fewer axes leaves aside.
+    aside = [f"(void){name};" for place, name in enumerate(inputs) if place not in read]
+    return "\n".join([*aside, *lines, f"return {results[0]};"])
 
 
 def _rest(table: Table) -> int:

@@ -211,36 +211,39 @@ static inline skylight_sh_real skylight_sh_clamp(float v, float first, float las
 /* sun_zenith in the fit's variable: reciprocal. */
 static inline skylight_sh_real skylight_sh_map_0(skylight_sh_real v)
 {
-    static const skylight_sh_real k[3] = { 0.0f, 4.36619759f, 5.0f };
-    return k[1] * (v - k[0]) / (k[2] - v) - 1;
+    return 4.36619759f * (v - 0.0f) / (5.0f - v) - 1.0f;
 }
 
 /* turbidity in the fit's variable: reciprocal. */
 static inline skylight_sh_real skylight_sh_map_1(skylight_sh_real v)
 {
-    static const skylight_sh_real k[3] = { 2.5f, -4.57142878f, -2.0f };
-    return k[1] * (v - k[0]) / (k[2] - v) - 1;
+    return (-4.57142878f) * (v - 2.5f) / ((-2.0f) - v) - 1.0f;
 }
 
 /* What all weights share: the closed form preetham_zenith. */
-static inline skylight_sh_real skylight_sh_scale(skylight_sh_real sun_zenith, skylight_sh_real turbidity)
+static inline skylight_sh_real skylight_sh_scale(skylight_sh_real x0, skylight_sh_real x1)
 {
-    static const skylight_sh_real k[10] = { 0.1787f, -1.46300006f, -0.355399996f, 0.42750001f, -0.0227000006f, 5.32509995f, 0.1206f, -2.57710004f, -0.0670000017f, 0.370299995f };
-    const float a = k[0] * turbidity + k[1], b = k[2] * turbidity + k[3], c = k[4] * turbidity + k[5];
-    const float d = k[6] * turbidity + k[7], e = k[8] * turbidity + k[9];
-    const float chi = (0.44444444444444444f - turbidity * 0.0083333333333333333f) * (3.1415926535897932f - 2.0f * sun_zenith);
+    const float chi = (0.444444448f - x1 * 0.00833333377f) * (3.14159274f - 2.0f * x0);
     const float square = chi * chi;
-    const float tan_above = chi * (105.0f - 10.0f * square), tan_below = 105.0f - square * (45.0f - square);
-    const float y = d * sun_zenith, z = sun_zenith * sun_zenith;
-    const float cosine = 1.0f - z * (0.5f - z * (0.041666666666666667f - z * 0.0013888888888888889f));
-    float up = 1.0f + b * (0.25f + b * 0.03125f), halo = 1.0f + y * (0.125f + y * 0.0078125f);
-    up = up * up;
-    up = up * up;
-    halo = halo * halo;
-    halo = halo * halo;
-    halo = halo * halo;
-    return 1000.0f * ((4.0453f * turbidity - 4.9710f) * tan_above + (2.4192f - 0.2155f * turbidity) * tan_below)
-        / (tan_below * (1.0f + a * up) * (1.0f + c * halo + e * (cosine * cosine)));
+    const float tan_above = chi * (105.0f - 10.0f * square);
+    const float tan_below = 105.0f - square * (45.0f - square);
+    const float zenith = (4.04530001f * x1 - 4.97100019f) * tan_above + (2.41919994f - 0.215499997f * x1) * tan_below;
+    const float a = 0.1787f * x1 + (-1.46300006f);
+    const float b = (-0.355399996f) * x1 + 0.42750001f;
+    const float up = 1.0f + b * (0.25f + b * 0.03125f);
+    const float up2 = up * up;
+    const float up4 = up2 * up2;
+    const float c = (-0.0227000006f) * x1 + 5.32509995f;
+    const float d = 0.1206f * x1 + (-2.57710004f);
+    const float y = d * x0;
+    const float halo = 1.0f + y * (0.125f + y * 0.0078125f);
+    const float halo2 = halo * halo;
+    const float halo4 = halo2 * halo2;
+    const float halo8 = halo4 * halo4;
+    const float e = (-0.0670000017f) * x1 + 0.370299995f;
+    const float z = x0 * x0;
+    const float cosine = 1.0f - z * (0.5f - z * (0.0416666679f - z * 0.00138888892f));
+    return 1000.0f * zenith / (tan_below * (1.0f + a * up4) * (1.0f + c * halo8 + e * (cosine * cosine)));
 }
 
 
@@ -249,67 +252,79 @@ static inline skylight_sh_real skylight_sh_scale(skylight_sh_real sun_zenith, sk
 /* sun_zenith in the fit's variable: reciprocal, in double for the gradient. */
 static inline double skylight_sh_wide_map_0(double v)
 {
-    static const double k[3] = { 0.0, 4.366197723675814, 5.0 };
-    return k[1] * (v - k[0]) / (k[2] - v) - 1;
+    return 4.366197723675814 * (v - 0.0) / (5.0 - v) - 1.0;
 }
 
 /* turbidity in the fit's variable: reciprocal, in double for the gradient. */
 static inline double skylight_sh_wide_map_1(double v)
 {
-    static const double k[3] = { 2.5, -4.5714285714285712, -2.0 };
-    return k[1] * (v - k[0]) / (k[2] - v) - 1;
+    return (-4.5714285714285712) * (v - 2.5) / ((-2.0) - v) - 1.0;
 }
 
 /* What all weights share: the closed form preetham_zenith. */
-static inline double skylight_sh_wide_scale(double sun_zenith, double turbidity)
+static inline double skylight_sh_wide_scale(double x0, double x1)
 {
-    static const double k[10] = { 0.1787, -1.4630000000000001, -0.35539999999999999, 0.42749999999999999, -0.022700000000000001, 5.3250999999999999, 0.1206, -2.5771000000000002, -0.067000000000000004, 0.37030000000000002 };
-    const double a = k[0] * turbidity + k[1], b = k[2] * turbidity + k[3], c = k[4] * turbidity + k[5];
-    const double d = k[6] * turbidity + k[7], e = k[8] * turbidity + k[9];
-    const double chi = (0.44444444444444444 - turbidity * 0.0083333333333333333) * (3.1415926535897932 - 2.0 * sun_zenith);
+    const double chi = (0.44444444444444442 - x1 * 0.0083333333333333332) * (3.1415926535897931 - 2.0 * x0);
     const double square = chi * chi;
-    const double tan_above = chi * (105.0 - 10.0 * square), tan_below = 105.0 - square * (45.0 - square);
-    const double y = d * sun_zenith, z = sun_zenith * sun_zenith;
-    const double cosine = 1.0 - z * (0.5 - z * (0.041666666666666667 - z * 0.0013888888888888889));
-    double up = 1.0 + b * (0.25 + b * 0.03125), halo = 1.0 + y * (0.125 + y * 0.0078125);
-    up = up * up;
-    up = up * up;
-    halo = halo * halo;
-    halo = halo * halo;
-    halo = halo * halo;
-    return 1000.0 * ((4.0453 * turbidity - 4.9710) * tan_above + (2.4192 - 0.2155 * turbidity) * tan_below)
-        / (tan_below * (1.0 + a * up) * (1.0 + c * halo + e * (cosine * cosine)));
+    const double tan_above = chi * (105.0 - 10.0 * square);
+    const double tan_below = 105.0 - square * (45.0 - square);
+    const double zenith = (4.0453000000000001 * x1 - 4.9710000000000001) * tan_above + (2.4192 - 0.2155 * x1) * tan_below;
+    const double a = 0.1787 * x1 + (-1.4630000000000001);
+    const double b = (-0.35539999999999999) * x1 + 0.42749999999999999;
+    const double up = 1.0 + b * (0.25 + b * 0.03125);
+    const double up2 = up * up;
+    const double up4 = up2 * up2;
+    const double c = (-0.022700000000000001) * x1 + 5.3250999999999999;
+    const double d = 0.1206 * x1 + (-2.5771000000000002);
+    const double y = d * x0;
+    const double halo = 1.0 + y * (0.125 + y * 0.0078125);
+    const double halo2 = halo * halo;
+    const double halo4 = halo2 * halo2;
+    const double halo8 = halo4 * halo4;
+    const double e = (-0.067000000000000004) * x1 + 0.37030000000000002;
+    const double z = x0 * x0;
+    const double cosine = 1.0 - z * (0.5 - z * (0.041666666666666664 - z * 0.0013888888888888889));
+    return 1000.0 * zenith / (tan_below * (1.0 + a * up4) * (1.0 + c * halo8 + e * (cosine * cosine)));
 }
 
 /* The basis of the first axis, `t` of 12, zero where the table has no term. */
 static inline void skylight_sh_first(skylight_sh_real x, skylight_sh_real *t)
 {
     const skylight_sh_real u = skylight_sh_map_0(x);
-    const int n = 10;
     int i;
     for (i = 0; i < 12; ++i) t[i] = 0;
-    t[0] = 1;
-    if (n > 1) t[1] = u;
-    for (i = 2; i < n; ++i) t[i] = 2 * t[i / 2] * t[i - i / 2] - t[i & 1];
+    t[0] = 1.0f;
+    t[1] = u;
+    t[2] = 2.0f * t[1] * t[1] - 1.0f;
+    t[3] = 2.0f * t[1] * t[2] - t[1];
+    t[4] = 2.0f * t[2] * t[2] - 1.0f;
+    t[5] = 2.0f * t[2] * t[3] - t[1];
+    t[6] = 2.0f * t[3] * t[3] - 1.0f;
+    t[7] = 2.0f * t[3] * t[4] - t[1];
+    t[8] = 2.0f * t[4] * t[4] - 1.0f;
+    t[9] = 2.0f * t[4] * t[5] - t[1];
+    (void)u;
 }
 
 /* All products of the other axes' bases, `rest` of 6. */
 static inline void skylight_sh_rest(skylight_sh_real x1, skylight_sh_real *rest)
 {
-    int r = 0, i;
+    int r = 0;
     skylight_sh_real t1[8];
     int i1;
     {
         const skylight_sh_real u = skylight_sh_map_1(x1);
         skylight_sh_real *t = t1;
-        const int n = 6;
-        t[0] = 1;
-        if (n > 1) t[1] = u;
-        for (i = 2; i < n; ++i) t[i] = 2 * t[i / 2] * t[i - i / 2] - t[i & 1];
+        t[0] = 1.0f;
+        t[1] = u;
+        t[2] = 2.0f * t[1] * t[1] - 1.0f;
+        t[3] = 2.0f * t[1] * t[2] - t[1];
+        t[4] = 2.0f * t[2] * t[2] - 1.0f;
+        t[5] = 2.0f * t[2] * t[3] - t[1];
+        (void)u;
     }
     for (i1 = 0; i1 < 6; ++i1)
         rest[r++] = t1[i1];
-    (void)i;
 }
 
 /* cos(m azimuth) and sin(m azimuth) for m < bands, by doubling: m = h + k. */
