@@ -1,0 +1,151 @@
+"""Who imports whom: the layers that docs/architecture.md draws, no circles, and what numerics leave to others."""
+
+from __future__ import annotations
+
+import ast
+import re
+import sys
+from collections.abc import Iterator
+from functools import cache
+from graphlib import CycleError, TopologicalSorter
+from pathlib import Path
+from typing import NamedTuple
+
+import pytest
+from conftest import ROOT
+
+SOURCE = ROOT / "pipeline"
+PACKAGE = "skylight_sh"
+ARCHITECTURE = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
+
+NUMERICS = {
+    *("runtime", "registry", "reproducible", "formula", "sphere", "light"),
+    *("probe", "quadrature", "fit", "table", "scene"),
+}
+# Captured light is read from files by one module, which nothing but itself is asked of.
+READS_FILES = "skylight_sh.probe.files"
+NOT_FOR_NUMERICS = {
+    *("dask", "distributed", "h5py", "matplotlib", "pandas", "pydantic", "jinja2", "rich", "click"),
+    *("threadpoolctl", "OpenImageIO"),
+}
+ROOMS_ABOVE = {"config", "run", "store", "report", "cli", "export", "studies"}
+
+
+class Import(NamedTuple):
+    """What a module imports: a module of ours or another package's, when it is itself imported (``now``) or later."""
+
+    name: str
+    now: bool
+    line: int
+
+
+@cache
+def modules() -> dict[str, Path]:
+    """Every module of the package by its dotted name."""
+    found = {}
+    for path in sorted((SOURCE / PACKAGE).rglob("*.py")):
+        parts = path.relative_to(SOURCE).with_suffix("").parts
+        found[".".join(parts[:-1] if parts[-1] == "__init__" else parts)] = path
+    return found
+
+
+@cache
+def imports(name: str) -> tuple[Import, ...]:
+    return tuple(_imports(ast.parse(modules()[name].read_text(encoding="utf-8")), now=True))
+
+
+def _imports(node: ast.AST, now: bool) -> Iterator[Import]:
+    for child in ast.iter_child_nodes(node):
+        later = isinstance(child, ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda) or (
+            isinstance(child, ast.If) and "TYPE_CHECKING" in ast.unparse(child.test)
+        )
+        if isinstance(child, ast.Import):
+            yield from (Import(alias.name, now, child.lineno) for alias in child.names)
+        elif isinstance(child, ast.ImportFrom):
+            assert child.module
+            assert not child.level, "imports name the whole package"
+            whole = [f"{child.module}.{alias.name}" for alias in child.names]
+            yield from (Import(one if one in modules() else child.module, now, child.lineno) for one in whole)
+        elif isinstance(child, ast.Constant) and isinstance(child.value, str):
+            # A registry's place is imported when it is asked for.
+            if re.fullmatch(rf"{PACKAGE}[\w.]*:\w+", child.value):
+                yield Import(child.value.partition(":")[0], False, child.lineno)
+        else:
+            yield from _imports(child, now and not later)
+
+
+def ours(name: str) -> bool:
+    return name.partition(".")[0] == PACKAGE
+
+
+def room(name: str) -> str:
+    """The part of the package that a module belongs to; the package's own file is ``skylight_sh``."""
+    return name.split(".")[1] if "." in name else PACKAGE
+
+
+def layers() -> list[list[str]]:
+    """The rooms of each layer, the lowest first, as the page draws them."""
+    drawn = re.search(r"```layers\n(.*?)```", ARCHITECTURE, re.DOTALL)
+    assert drawn
+    rows = [line.partition("|")[0].split() for line in drawn[1].splitlines()]
+    return [row for row in reversed(rows) if row]
+
+
+def test_every_room_is_drawn_once() -> None:
+    drawn = [room for row in layers() for room in row]
+    assert sorted(drawn) == sorted({room(name) for name in modules()}), "say in docs/architecture.md where a new room stands"
+
+
+def test_nothing_imports_upwards() -> None:
+    height = {room: level for level, row in enumerate(layers()) for room in row}
+    wrong = [
+        f"{name}:{found.line} imports {found.name}"
+        for name in modules()
+        for found in imports(name)
+        if ours(found.name) and room(found.name) != room(name) and height[room(found.name)] >= height[room(name)]
+    ]
+    assert wrong == []
+
+
+def test_no_circle_of_imports() -> None:
+    graph = {name: {i.name for i in imports(name) if ours(i.name) and i.now} - {name} for name in modules()}
+    try:
+        TopologicalSorter(graph).prepare()
+    except CycleError as circle:
+        pytest.fail(" <- ".join(circle.args[1]))
+
+
+def test_what_is_imported_exists() -> None:
+    missing = [
+        f"{name}:{found.line} {found.name}"
+        for name in modules()
+        for found in imports(name)
+        if ours(found.name) and found.name not in modules()
+    ]
+    assert missing == []
+
+
+def test_numerics_leave_tasks_files_pictures_and_configs_to_others() -> None:
+    wrong = [
+        f"{name}:{found.line} imports {found.name}"
+        for name in modules()
+        if room(name) in NUMERICS and name != READS_FILES
+        for found in imports(name)
+        if found.name.partition(".")[0] in NOT_FOR_NUMERICS or (ours(found.name) and room(found.name) in ROOMS_ABOVE)
+    ]
+    assert wrong == []
+
+
+def test_the_runtime_is_one_file_for_any_project() -> None:
+    roots = {found.name.partition(".")[0] for found in imports(f"{PACKAGE}.runtime")}
+    assert roots <= sys.stdlib_module_names | {"numpy"}
+    assert "numpy" in roots
+
+
+def test_stages_alone_are_in_stages() -> None:
+    """Every file there is a stage: it has ``steps(config)``."""
+    stages = [name for name in modules() if name.startswith(f"{PACKAGE}.run.stages.")]
+    assert stages
+    for name in stages:
+        body = ast.parse(modules()[name].read_text(encoding="utf-8")).body
+        assert "steps" in {node.name for node in body if isinstance(node, ast.FunctionDef)}, name
