@@ -45,6 +45,9 @@ def in_double(function: Callable[[Any], Any], values: Floats) -> Floats:
     """Return an elementary ``function`` of ``values`` in their dtype, computed in double precision.
 
     Libraries' single-precision functions differ in the last bit between processors; a double result, rounded, does not.
+
+    >>> in_double(np.log, np.float32([1.0, 2.0])).dtype
+    dtype('float32')
     """
     wide = np.asarray(values, dtype=np.float64, order="C")
     return np.asarray(function(wide), dtype=np.asarray(values).dtype)
@@ -55,6 +58,9 @@ def product(left: Floats, right: Floats) -> Floats:
 
     A row's bits depend on that row alone, not on its neighbours; a library's matrix product promises neither. Works in
     the common dtype.
+
+    >>> product(np.array([[1.0, 2.0]]), np.array([[3.0], [4.0]])).tolist()
+    [[11.0]]
     """
     out = np.zeros((left.shape[0], right.shape[1]), dtype=np.result_type(left, right))
     for start in range(0, len(left), _ROWS_AT_ONCE):
@@ -68,12 +74,20 @@ def product(left: Floats, right: Floats) -> Floats:
 
 
 def flat_places(bands: int, *, mirrored: bool) -> Index:
-    """Return the flat index of every stored weight: all N*N, or those of order m >= 0 where ``mirrored``."""
+    """Return the flat index of every stored weight: all N*N, or those of order m >= 0 where ``mirrored``.
+
+    >>> flat_places(2, mirrored=True).tolist()
+    [0, 2, 3]
+    """
     return np.array([l * (l + 1) + m for l in range(bands) for m in range(0 if mirrored else -l, l + 1)])
 
 
 def rotate_azimuth(weights: Floats, azimuth: Floats) -> Floats:
-    """Turn weights ``(..., N*N)`` by ``azimuth`` ``(...)`` radians about +z, +x towards +y (Habel et al. 2008, eq. 4)."""
+    """Turn weights ``(..., N*N)`` by ``azimuth`` ``(...)`` radians about +z, +x towards +y (Habel et al. 2008, eq. 4).
+
+    >>> rotate_azimuth(np.array([1.0, 0.0, 2.0, 3.0]), np.pi / 2).round(12).tolist()
+    [1.0, 3.0, 2.0, 0.0]
+    """
     bands = math.isqrt(weights.shape[-1])
     orders = np.concatenate([np.arange(-l, l + 1) for l in range(bands)])
     partner = np.arange(bands * bands) - 2 * orders
@@ -84,7 +98,11 @@ def rotate_azimuth(weights: Floats, azimuth: Floats) -> Floats:
 
 
 def zonal_sinc(bands: int) -> Array:
-    """Return the factors ``(N*N,)`` of the zonal window ``sinc(pi l / N)``, m = 0 alone (Habel et al. 2008, eq. 5)."""
+    """Return the factors ``(N*N,)`` of the zonal window ``sinc(pi l / N)``, m = 0 alone (Habel et al. 2008, eq. 5).
+
+    >>> zonal_sinc(2).round(4).tolist()
+    [1.0, 1.0, 0.6366, 1.0]
+    """
     factors = np.ones(bands * bands)
     l = np.arange(bands)
     factors[l * (l + 1)] = np.sinc(l / bands)
@@ -130,7 +148,12 @@ class Program:
         return sum(step[0] == "number" for step in self.steps)
 
     def run(self, values: Sequence[ArrayLike]) -> list[Floats]:
-        """Return the outputs at ``values``, one array an input that broadcast, in their dtype."""
+        """Return the outputs at ``values``, one array an input that broadcast, in their dtype.
+
+        >>> half = Program(("x",), (), (("input", 0), ("number", 2.0), ("/", 0, 1)), (2,))
+        >>> half.run([np.array([1.0, 3.0])])[0].tolist()
+        [0.5, 1.5]
+        """
         arrays = [np.asarray(value) for value in values]
         real = np.result_type(*arrays, np.float32)
         done: list[Any] = []
@@ -432,7 +455,11 @@ class Table:
 
 
 def kept_terms(lengths: NDArray[np.integer]) -> Index:
-    """Return the kept terms' places in a dense ``(first, rest)`` array, in the order of ``Rows``: ``(terms,)``."""
+    """Return the kept terms' places in a dense ``(first, rest)`` array, in the order of ``Rows``: ``(terms,)``.
+
+    >>> kept_terms(np.array([2, 1])).tolist()
+    [0, 2, 1]
+    """
     return np.concatenate([np.arange(int(n)) * lengths.size + r for r, n in enumerate(lengths)]).astype(np.int64)
 
 

@@ -32,12 +32,20 @@ class Axis:
         return VARIABLES[self.map].constants(self.low, self.high, self.point)
 
     def scaled(self, values: Floats) -> Floats:
-        """Map parameter values to the fit's variable, in [-1, 1] unless the map is ``raw``; keeps the dtype."""
+        """Map parameter values to the fit's variable, in [-1, 1] unless the map is ``raw``; keeps the dtype.
+
+        >>> Axis("turbidity", 2.5, 6.0, map="log", point=0.5).scaled(np.array([2.5, 6.0])).round(12).tolist()
+        [-1.0, 1.0]
+        """
         numbers = np.array(self.constants, dtype=values.dtype)
         return np.asarray(VARIABLES[self.map].forward(values, numbers))
 
     def unscaled(self, variable: Array) -> Array:
-        """Map the fit's variable back to parameter values, inside the range to the last bit."""
+        """Map the fit's variable back to parameter values, inside the range to the last bit.
+
+        >>> Axis("turbidity", 2.5, 6.0).unscaled(np.array([-1.0, 0.0, 1.0])).tolist()
+        [2.5, 4.25, 6.0]
+        """
         values = VARIABLES[self.map].inverse(variable, np.array(self.constants))
         return np.clip(values, self.low, self.high)
 
@@ -48,7 +56,11 @@ class Axis:
         return runtime.Axis(self.name, self.low, self.high, self.unit, self.map, self.point, variable)
 
     def fit_nodes(self, count: int, spacing: str) -> Array:
-        """Return ``count`` rising nodes: Chebyshev roots in the fit's variable, or ``uniform`` with both ends."""
+        """Return ``count`` rising nodes: Chebyshev roots in the fit's variable, or ``uniform`` with both ends.
+
+        >>> Axis("height", -1.0, 1.0).fit_nodes(2, "chebyshev").round(4).tolist()
+        [-0.7071, 0.7071]
+        """
         if self.low == self.high:
             return np.full(count, self.low)
         if spacing == "uniform":
@@ -57,7 +69,11 @@ class Axis:
         return self.unscaled(u) if self.map != "raw" else self._spread(u)
 
     def verification_nodes(self, count: int, avoid: Array) -> Array:
-        """Return ``count`` rising nodes with both ends, dense towards them, that share no interior one with ``avoid``."""
+        """Return ``count`` rising nodes with both ends, dense towards them, that share no interior one with ``avoid``.
+
+        >>> Axis("height", -1.0, 1.0).verification_nodes(3, avoid=np.array([0.5])).round(4).tolist()
+        [-1.0, 0.0, 1.0]
+        """
         if self.low == self.high or count == 1:
             return np.full(1, self.low)
         x = np.cos(np.pi * np.arange(count - 1, -1, -1) / (count - 1))

@@ -63,6 +63,9 @@ def l_min(least: Array, mean: Array) -> dict[str, Array]:
     """Return the denominators of E_max and E_mean, ``(n,)``, by convention: of least and mean luminances ``(n,)``.
 
     Where a least luminance is not positive, the mean is the only convention. Rounded to 14 bits, 6e-5 of themselves.
+
+    >>> {name: values.tolist() for name, values in l_min(np.array([1.0, 2.0]), np.array([4.0, 8.0])).items()}
+    {'per-set': [1.0, 2.0], 'global': [1.0, 1.0]}
     """
     if np.any(least <= 0.0):
         return {"mean": significant(mean, _L_MIN_BITS)}
@@ -71,12 +74,20 @@ def l_min(least: Array, mean: Array) -> dict[str, Array]:
 
 
 def published(value: SupportsFloat) -> float:
-    """Return a figure as it is published, to four digits: far above what differs from machine to machine."""
+    """Return a figure as it is published, to four digits: far above what differs from machine to machine.
+
+    >>> published(0.0012345678)
+    0.001235
+    """
     return float(f"{float(value):.4g}")
 
 
 def e_mean(residual: Array, l_min: Array) -> float:
-    """Return the largest E_mean (eq. 3) of residuals ``(n, channels, count)`` over ``l_min`` ``(n,)``."""
+    """Return the largest E_mean (eq. 3) of residuals ``(n, channels, count)`` over ``l_min`` ``(n,)``.
+
+    >>> e_mean(np.array([[[3.0, 4.0]]]), np.array([10.0]))
+    0.5
+    """
     return float(e_means(residual, l_min).max())
 
 
@@ -86,7 +97,11 @@ def e_means(residual: Array, l_min: Array) -> Array:
 
 
 def norms(residual: Array) -> Array:
-    """Return the root of the sum of squares over the weights ``(..., count)``: E_mean of residuals in units of L_min."""
+    """Return the root of the sum of squares over the weights ``(..., count)``: E_mean of residuals in units of L_min.
+
+    >>> norms(np.array([[3.0, 4.0]])).tolist()
+    [5.0]
+    """
     return np.asarray(np.sqrt(np.square(residual).sum(axis=-1)))
 
 
@@ -95,6 +110,10 @@ def by_band(residual: Array, degrees: NDArray[np.int64], bands: int) -> tuple[Ar
 
     Returns the sums of magnitudes and the roots of the sums of squares, shape ``(..., bands)``: E_max and E_mean
     before division by L_min.
+
+    >>> magnitudes, roots = by_band(np.array([2.0, -3.0, 6.0]), np.array([0, 1, 1]), 2)
+    >>> magnitudes.tolist(), roots.tolist()
+    ([2.0, 11.0], [2.0, 7.0])
     """
     starts = np.searchsorted(degrees, np.arange(bands))
     absolute, squares = (np.add.reduceat(x, starts, axis=-1) for x in (np.abs(residual), residual * residual))
@@ -102,5 +121,9 @@ def by_band(residual: Array, degrees: NDArray[np.int64], bands: int) -> tuple[Ar
 
 
 def mean_luminance(first_weights: Array, luminance_row: Array) -> Array:
-    """Return the mean luminance over the upper hemisphere, ``(n,)``, from the l = 0 weights ``(n, channels)``."""
+    """Return the mean luminance over the upper hemisphere, ``(n,)``, from the l = 0 weights ``(n, channels)``.
+
+    >>> float(mean_luminance(np.array([[np.sqrt(np.pi)]]), np.ones(1)).round(12)[0])
+    1.0
+    """
     return np.asarray(first_weights @ luminance_row * np.sqrt(4 * np.pi) / (2 * np.pi))

@@ -19,6 +19,10 @@ def fit_tensor(samples: Array, matrices: Sequence[Floats]) -> Array:
     ``samples`` has shape ``(n_1, .., n_D, outputs)`` and ``matrices[a]``, the basis at axis a's nodes, ``(n_a,
     d_a+1)``. Returns ``(outputs, d_1+1, .., d_D+1)``. The pseudo-inverse of a Kronecker product is that of its
     factors, so this is the full least-squares solution at the cost of one small SVD an axis.
+
+    >>> nodes = np.array([0.0, 1.0, 2.0])
+    >>> fit_tensor((1.0 + 2.0 * nodes)[:, np.newaxis], [np.vander(nodes, 2, increasing=True)]).round(12).tolist()
+    [[1.0, 2.0]]
     """
     out = samples
     for axis, matrix in enumerate(matrices):
@@ -30,6 +34,10 @@ def fit_full(samples: Array, matrices: Sequence[Floats], solver: str) -> Array:
     """Fit by one system over all grid points: what the paper's description amounts to. Shapes as ``fit_tensor``.
 
     Raises ValueError for a ``solver`` that is none of ``SOLVERS``.
+
+    >>> nodes = np.array([0.0, 1.0, 2.0])
+    >>> fit_full((1.0 + 2.0 * nodes)[:, np.newaxis], [np.vander(nodes, 2, increasing=True)], "qr").round(12).tolist()
+    [[1.0, 2.0]]
     """
     if solver not in SOLVERS:
         raise ValueError(f"Unknown solver {solver!r}. Should be one of: {', '.join(SOLVERS)}.")
@@ -39,7 +47,11 @@ def fit_full(samples: Array, matrices: Sequence[Floats], solver: str) -> Array:
 
 
 def condition(matrices: Sequence[Floats]) -> float:
-    """Return the condition number of the whole least-squares system: the product of its factors'."""
+    """Return the condition number of the whole least-squares system: the product of its factors'.
+
+    >>> round(condition([np.diag([1.0, 4.0]), np.diag([1.0, 3.0])]), 9)
+    12.0
+    """
     return float(np.prod([np.linalg.cond(m) for m in matrices]))
 
 

@@ -66,7 +66,12 @@ class Metric:
         return np.stack([linalg.solve(g, r.T, assume_a="pos").T for g, r in zip(self.gram, self.right, strict=True)])
 
     def best_of(self, kept: Index) -> Array:
-        """Return the best coefficients of the terms ``kept`` alone, zeros elsewhere: ``(channels, count, terms)``."""
+        """Return the best coefficients of the terms ``kept`` alone, zeros elsewhere: ``(channels, count, terms)``.
+
+        >>> normal = metric(Sampled(np.eye(2), np.array([[[3.0]], [[5.0]]])), np.full((2, 1), 0.5))
+        >>> normal.best_of(np.array([1])).round(6).tolist()
+        [[[0.0, 5.0]]]
+        """
         out = np.zeros_like(self.right)
         for channel, gram in enumerate(self.gram):
             right = self.right[channel][:, kept].T
@@ -88,7 +93,11 @@ def metric(sampled: Sampled, importance: Array) -> Metric:
 
 
 def even(sampled: Sampled) -> Array:
-    """Return the importance that prefers no set and no channel."""
+    """Return the importance that prefers no set and no channel.
+
+    >>> even(Sampled(np.ones((2, 1)), np.ones((2, 2, 1)))).tolist()
+    [[0.25, 0.25], [0.25, 0.25]]
+    """
     shape = sampled.truth.shape[:2]
     return np.full(shape, 1.0 / np.prod(shape))
 
@@ -99,6 +108,10 @@ def sharpen(importance: Array, errors: Array, shape: Sequence[int]) -> Array:
     ``errors`` ``(n, channels)`` on a grid of ``shape``; squared, they are averaged over neighbours first, since
     rounding makes single sets' errors a matter of chance. The result grows with the error itself, and is rounded to few
     bits: importance need not be exact, and what follows from it must not hang on the last bits of errors.
+
+    >>> errors = np.array([[1.0], [1.0], [4.0], [1.0], [1.0]])
+    >>> bool(sharpen(np.full((5, 1), 0.2), errors, (5,)).argmax() == 2)
+    True
     """
     smooth = (errors * errors).reshape(*shape, -1)
     for axis in range(len(shape)):

@@ -17,6 +17,9 @@ def largest(values: Array, shape: Sequence[int]) -> float:
     what its peak is higher. Nodes count as evenly spaced, as those of Chebyshev's kind are in their angle; at an axis'
     ends nothing is added along that axis. An error that oscillates with four nodes a lobe is up to 8 % higher between
     them than on them, and up to 3 % higher than what this returns.
+
+    >>> largest(np.sqrt([[1.0], [3.0], [2.0]]), (3,)) ** 2 > 3.0
+    True
     """
     squares = np.square(values)
     count = int(np.prod(shape, dtype=int))

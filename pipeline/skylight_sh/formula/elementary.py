@@ -12,12 +12,20 @@ Number = Any
 
 
 def log(x: Number) -> Number:
-    """Return the natural logarithm."""
+    """Return the natural logarithm.
+
+    >>> float(log(1.0))
+    0.0
+    """
     return _apply("log", x)
 
 
 def exp(x: Number) -> Number:
-    """Return e to the power x."""
+    """Return e to the power x.
+
+    >>> exp(Expression("input")).operation
+    'exp'
+    """
     return _apply("exp", x)
 
 
@@ -42,7 +50,11 @@ def cbrt(x: Number) -> Number:
 
 
 def label(x: Number, name: str) -> Number:
-    """Return ``x``, called ``name`` where code is printed."""
+    """Return ``x``, called ``name`` where code is printed.
+
+    >>> label(Expression("input") + 1.0, "next").label, label(2.0, "two")
+    ('next', 2.0)
+    """
     if isinstance(x, Expression) and x.arguments:
         return Expression(x.operation, x.arguments, x.value, name)
     return x

@@ -68,7 +68,11 @@ Formula = Callable[..., Sequence[Operand]]
 
 
 def expression(value: Operand) -> Expression:
-    """Return ``value`` as a node: a literal number where it is none."""
+    """Return ``value`` as a node: a literal number where it is none.
+
+    >>> expression(2).operation, expression(2).value
+    ('number', 2.0)
+    """
     return value if isinstance(value, Expression) else Expression("number", value=float(value))
 
 
@@ -150,6 +154,10 @@ def expressions(program: Program, inputs: Sequence[Operand] | None = None) -> li
     """Return the outputs of ``program`` as graphs, over ``inputs`` where they are given: programs put one into another.
 
     Constants become literals where ``inputs`` are given, since another program would number them otherwise.
+
+    >>> halved, doubled = trace(lambda x: [x / 2], ["x"]), trace(lambda x: [x * 2], ["x"])
+    >>> program(expressions(doubled, expressions(halved)), ["x"]).steps
+    (('input', 0), ('number', 2.0), ('/', 0, 1), ('number', 2.0), ('*', 2, 3))
     """
     labels = dict(program.labels)
     nodes: list[Expression] = []

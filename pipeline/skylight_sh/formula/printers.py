@@ -33,12 +33,20 @@ def pointed(text: str) -> str:
 
 
 def single(value: float) -> str:
-    """Return a float32 in nine digits, which give it back."""
+    """Return a float32 in nine digits, which give it back.
+
+    >>> single(0.1), single(2.0)
+    ('0.100000001', '2.0')
+    """
     return pointed(f"{float(np.float32(value)):.9g}")
 
 
 def double(value: float) -> str:
-    """Return a float64 in seventeen digits, which give it back."""
+    """Return a float64 in seventeen digits, which give it back.
+
+    >>> double(0.1)
+    '0.10000000000000001'
+    """
     return pointed(f"{value:.17g}")
 
 
@@ -67,7 +75,12 @@ def statements(program: Program, language: Language, inputs: Sequence[str]) -> t
 
 
 def assignments(program: Program, language: Language, inputs: Sequence[str], targets: Sequence[str]) -> list[str]:
-    """Return the statements that give each of ``targets`` its output; later outputs read earlier targets."""
+    """Return the statements that give each of ``targets`` its output; later outputs read earlier targets.
+
+    >>> from skylight_sh.formula.expression import trace
+    >>> assignments(trace(lambda u: [u, 2 * u], ["u"]), C_SINGLE, ["u"], ["t[0]", "t[1]"])
+    ['t[0] = u;', 't[1] = 2.0f * t[0];']
+    """
     named: dict[int, str] = {}
     for place, target in zip(program.outputs, targets, strict=True):
         named.setdefault(place, target)

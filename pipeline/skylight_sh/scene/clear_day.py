@@ -42,6 +42,9 @@ def twilight(depth: ArrayLike) -> Array:
 
     A fit to measurements without moonlight: Explanatory Supplement to the Astronomical Almanac (Seidelmann 1992), eq. 9.35.
     For 0 to 0.8 degrees the source has a piece of its own; the next one, used here, is within 1 % of it.
+
+    >>> twilight(np.radians([0.0, 6.0])).round(1).tolist()
+    [758.6, 3.4]
     """
     x = -np.degrees(np.asarray(depth, dtype=np.float64)) / 90.0
     early = ((-858.36 * x - 258.11) * x + 21.81) * x + 2.88
@@ -53,6 +56,10 @@ def published(theta: ArrayLike) -> tuple[Array, Array]:
     """Return the same of IES RP-21 (1984) for a clear day: 800 + 15500 sqrt(cos theta), and 127500 exp(-0.21 m) cos theta.
 
     A regression over measurements in the United States, m being the air's relative optical mass.
+
+    >>> sky, sun = published(0.0)
+    >>> round(float(sky)), round(float(sun), -2)
+    (16300, 103400.0)
     """
     height = np.cos(np.asarray(theta, dtype=np.float64))
     return 800.0 + 15_500.0 * np.sqrt(height), SOLAR * np.exp(-0.21 * sun_disc.optical_mass(theta)) * height

@@ -88,12 +88,20 @@ def fold(scene: Scene, weights: Array, degrees: Index, sets: Array) -> Array:
 
 
 def luminance_scale(quantity: Quantity) -> float:
-    """Return what a radiance that errors are divided by is multiplied with: an even sky's irradiance is pi times it."""
+    """Return what a radiance that errors are divided by is multiplied with: an even sky's irradiance is pi times it.
+
+    >>> luminance_scale("radiance"), round(luminance_scale("irradiance"), 4)
+    (1.0, 3.1416)
+    """
     return float(np.pi) if quantity == "irradiance" else 1.0
 
 
 def window(scene: Scene, bands: int, *, mirrored: bool) -> Array:
-    """Return what a table of ``bands`` bands holds its weights multiplied with, ``(count,)``: the zonal window, or ones."""
+    """Return what a table of ``bands`` bands holds its weights multiplied with, ``(count,)``: the zonal window, or ones.
+
+    >>> window(Scene(axes=("turbidity",), windowed=True), 2, mirrored=True).round(4).tolist()
+    [1.0, 0.6366, 1.0]
+    """
     degrees, orders = sphere.degrees_orders(bands, mirrored=mirrored)
     if not scene.windowed:
         return np.ones(degrees.size)

@@ -12,17 +12,32 @@ Index = NDArray[np.int64]
 
 
 def zigzag(values: Index) -> Index:
-    """Map 0, -1, 1, -2, .. to 0, 1, 2, 3, ..."""
+    """Map 0, -1, 1, -2, .. to 0, 1, 2, 3, ...
+
+    >>> zigzag(np.array([0, -1, 1, -2])).tolist()
+    [0, 1, 2, 3]
+    """
     return np.where(values >= 0, 2 * values, -2 * values - 1)
 
 
 def rice_bits(folded: Index, low_bits: Index) -> Index:
-    """Return how many bits a Rice code takes: ``folded >> low_bits`` ones, a zero, ``low_bits`` bits."""
+    """Return how many bits a Rice code takes: ``folded >> low_bits`` ones, a zero, ``low_bits`` bits.
+
+    >>> rice_bits(np.array([0, 3, 9]), np.array([1, 1, 1])).tolist()
+    [2, 3, 6]
+    """
     return 1 + low_bits + (folded >> low_bits)
 
 
 class Writer:
-    """Appends numbers to a string of bits."""
+    """Appends numbers to a string of bits.
+
+    >>> from skylight_sh.runtime import BitReader
+    >>> writer = Writer()
+    >>> writer.rice(-3, 1)
+    >>> BitReader(writer.bytes()).rice(1)
+    -3
+    """
 
     def __init__(self) -> None:
         self._bits: list[int] = []

@@ -51,7 +51,11 @@ class _Layout:
 
 
 def lengths_of(numbers: Index) -> Index:
-    """Return how many numbers of the first axis stand before the last one that is not 0: ``(count, channels, rest)``."""
+    """Return how many numbers of the first axis stand before the last one that is not 0: ``(count, channels, rest)``.
+
+    >>> lengths_of(np.array([5, 0, 2, 0]).reshape(1, 1, 4, 1)).tolist()
+    [[[3]]]
+    """
     kept = numbers != 0
     return np.where(kept.any(axis=2), numbers.shape[2] - np.argmax(kept[:, :, ::-1], axis=2), 0)
 
@@ -126,6 +130,11 @@ def pack(numbers: Index, degrees: Index, step: float = 1.0) -> Packed:
     """Pack whole numbers ``(count, channels, first, rest)`` of weights in flat order, ``degrees`` ``(count,)`` rising.
 
     Raises ValueError where the first axis has more terms than a length field holds, or a number is no C ``int`` once folded.
+
+    >>> from skylight_sh.runtime import unpack
+    >>> numbers = np.array([[[[7], [-2], [0]]]])
+    >>> unpack(pack(numbers, np.array([0])), np.array([0])).ravel().tolist()
+    [7, -2]
     """
     if numbers.shape[2] > _LARGEST:
         raise ValueError(f"A packed table holds at most {_LARGEST} terms of its first axis, not {numbers.shape[2]}.")

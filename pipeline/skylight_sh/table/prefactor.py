@@ -34,7 +34,13 @@ def closed_form(prefactor: Prefactor, axes: Sequence[Axis], fixed: Mapping[str, 
 
 
 def reciprocal(coefficients: Floats, axes: Sequence[Axis]) -> Scale:
-    """Return 1 over the Chebyshev polynomial of ``coefficients`` ``(d_1+1, .., d_D+1)`` in the axes' own variables."""
+    """Return 1 over the Chebyshev polynomial of ``coefficients`` ``(d_1+1, .., d_D+1)`` in the axes' own variables.
+
+    >>> from skylight_sh.fit.axis import Axis
+    >>> halved = reciprocal(np.array([2.0, 1.0]), [Axis("height", 0.0, 1.0).specified])
+    >>> evaluate(halved, np.array([[0.0], [0.5], [1.0]])).round(4).tolist()
+    [1.0, 0.5, 0.3333]
+    """
     functions = BASES["chebyshev"]
 
     def formula(*arguments: Any) -> list[Any]:

@@ -34,7 +34,11 @@ class Layout:
 
 
 def carried(quantity: str, bands: int) -> tuple[int, ...]:
-    """Return the degrees l that carry any of ``quantity``: all, or l = 1 and the even ones for diffuse irradiance."""
+    """Return the degrees l that carry any of ``quantity``: all, or l = 1 and the even ones for diffuse irradiance.
+
+    >>> carried("irradiance", 7)
+    (0, 1, 2, 4, 6)
+    """
     return tuple(l for l in range(bands) if quantity == "radiance" or l == 1 or l % 2 == 0)
 
 

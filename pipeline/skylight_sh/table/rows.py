@@ -27,7 +27,11 @@ def arrange(dense: Floats, lengths: Lengths, columns: NDArray[np.int64], width: 
 
 
 def used_degrees(lengths: Lengths, degrees: Sequence[int]) -> tuple[int, ...]:
-    """Return the largest degree that ``lengths`` ``(rest,)`` keep on every axis; ``degrees`` are those of ``rest``."""
+    """Return the largest degree that ``lengths`` ``(rest,)`` keep on every axis; ``degrees`` are those of ``rest``.
+
+    >>> used_degrees(np.array([4, 2, 0]), [9, 2])
+    (3, 1)
+    """
     shape = [d + 1 for d in degrees[1:]]
     kept = np.nonzero(np.reshape(lengths, shape)) if shape else ()
     return (max(1, int(np.max(lengths))) - 1, *(int(np.max(index, initial=0)) for index in kept))

@@ -35,7 +35,11 @@ def gain(surroundings: Surroundings) -> float:
 
 
 def mask_bands(bands: int) -> int:
-    """Return how many bands of a mask its product with ``bands`` bands needs, of which as many are kept: exactly these."""
+    """Return how many bands of a mask its product with ``bands`` bands needs, of which as many are kept: exactly these.
+
+    >>> mask_bands(4)
+    7
+    """
     return 2 * bands - 1
 
 

@@ -52,7 +52,11 @@ def specification(
 
 
 def products(basis: str, axes: Sequence[Axis], values: Floats, degrees: Sequence[int]) -> Floats:
-    """Return all products of one basis function an axis: ``(n, terms)``, first axis slowest, in the values' dtype."""
+    """Return all products of one basis function an axis: ``(n, terms)``, first axis slowest, in the values' dtype.
+
+    >>> products("chebyshev", [Axis("height", 0.0, 1.0)], np.array([[0.0], [1.0]]), [2]).tolist()
+    [[1.0, -1.0, 1.0], [1.0, 1.0, 1.0]]
+    """
     # A column of its own: libraries' functions may treat numbers that do not lie side by side otherwise.
     columns = (np.ascontiguousarray(values[:, i]) for i in range(len(axes)))
     vander = BASES[basis].vander
@@ -86,7 +90,12 @@ def fast(
 
 
 def whole(spec: Specification, dense: Array, bands: int, dtype: str) -> Table:
-    """Make a table of every coefficient of ``dense``, laid out for speed."""
+    """Make a table of every coefficient of ``dense``, laid out for speed.
+
+    >>> spec = specification([Axis("height", 0.0, 1.0)], ("luminance",), True, "chebyshev")
+    >>> whole(spec, np.array([[[3.0, 1.0]]]), 1, "float32").evaluate(np.array([[0.0], [1.0]])).ravel().tolist()
+    [2.0, 4.0]
+    """
     return fast(spec, dense, np.full(dense.shape[3:], dense.shape[2]), bands, dtype)
 
 

@@ -31,7 +31,11 @@ NUMBERS = 4
 
 
 def fade(x: Any) -> Any:
-    """Return the factor of the horizon's weights at the depth ``x`` of the sun, 0 on the horizon to 1: generic numbers."""
+    """Return the factor of the horizon's weights at the depth ``x`` of the sun, 0 on the horizon to 1: generic numbers.
+
+    >>> fade(0.0), round(fade(0.5), 4), fade(1.0)
+    (1.0, 0.0059, 0.0)
+    """
     two = (1.0 - x) * (1.0 - x)
     four = two * two
     return four * four * two * (1.0 + POWER * x)

@@ -28,6 +28,10 @@ def bands_for(profile: Profile, available: int, wanted: int | None = None) -> in
     """Return how many bands to evaluate: ``wanted``, or as many as both the engine takes and the table has.
 
     Raises ValueError where there is no such number.
+
+    >>> from skylight_sh.export.engines.profiles import PROFILES
+    >>> bands_for(PROFILES["directxmath"], available=7)
+    6
     """
     least, most = profile.bands
     if wanted is not None and not least <= wanted <= min(most, available):
@@ -45,6 +49,12 @@ def convert(weights: NDArray[np.floating], profile: Profile, *, axes: str | None
     channel is given to red, green and blue. Apply a window before: it is zonal about our zenith. Raises ValueError
     for a number of bands or channels that the engine does not take, for bad axes, and for an exposure that is not a
     positive number.
+
+    >>> from skylight_sh.export.engines.profiles import PROFILES
+    >>> white = np.zeros((3, 9))
+    >>> white[:, 0] = np.sqrt(4 * np.pi)
+    >>> convert(white, PROFILES["unity"])[0].round(6).tolist()
+    [1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     """
     bands = sphere.bands_of(weights)
     bands_for(profile, bands, bands)

@@ -17,6 +17,9 @@ def parse_axes(text: str) -> Array:
 
     ``text`` names, for each of our axes, the engine's axis that it goes to: ``"x=+x,y=-z,z=+y"`` sends our +y to the
     engine's -z. Raises ValueError where an axis is missing, named twice, or the target of two.
+
+    >>> parse_axes("x=+x,y=-z,z=+y").tolist()
+    [[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]]
     """
     parts = [_PART.fullmatch(part) for part in text.split(",")]
     found = [part.groups() for part in parts if part]

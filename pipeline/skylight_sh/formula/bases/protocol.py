@@ -29,7 +29,12 @@ class Basis:
     shallow: Callable[[int, Any, Sequence[Any]], Any] | None = None
 
     def vander(self, u: Floats, degree: int) -> Floats:
-        """Return functions 0 to ``degree`` at ``u`` of any shape, ``(..., degree+1)``, in its dtype."""
+        """Return functions 0 to ``degree`` at ``u`` of any shape, ``(..., degree+1)``, in its dtype.
+
+        >>> from skylight_sh.formula.bases import BASES
+        >>> BASES["chebyshev"].vander(np.array([0.5]), 3).tolist()
+        [[1.0, 0.5, -0.5, -1.0]]
+        """
         out = np.ones((*u.shape, degree + 1), dtype=u.dtype)
         before: list[Floats] = [out[..., 0]]
         for k in range(1, degree + 1):
@@ -38,7 +43,12 @@ class Basis:
         return out
 
     def program(self, degree: int, *, shallow: bool = False) -> Program:
-        """Return functions 0 to ``degree`` as a program over ``u``; ``shallow`` where the basis has that way."""
+        """Return functions 0 to ``degree`` as a program over ``u``; ``shallow`` where the basis has that way.
+
+        >>> from skylight_sh.formula.bases import BASES
+        >>> [float(value) for value in BASES["legendre"].program(2).run([np.float64(0.5)])]
+        [1.0, 0.5, -0.125]
+        """
         function = self.shallow if shallow and self.shallow else self.function
 
         def functions(u: Any) -> list[Any]:
