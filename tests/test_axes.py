@@ -49,7 +49,7 @@ def test_special_axes(name: str) -> None:
 def test_it_is_orthogonal_and_keeps_degrees_apart(seed: int, determinant: float) -> None:
     whole = sphere.change_axes(np.eye(121), orthogonal(seed, determinant))
     assert np.abs(whole @ whole.T - np.eye(121)).max() < 1e-12
-    degrees, _ = sphere.degrees_orders(11)
+    degrees = sphere.Harmonics(11).degrees
     assert not whole[degrees[:, np.newaxis] != degrees].any()
 
 

@@ -52,8 +52,8 @@ def test_the_ground_reflects_what_sky_and_sun_send_down(theta: float, tau: float
     """Albedo / pi times the irradiance by brute force, to a millionth."""
     albedo = (0.1, 0.2, 0.3)
     sets = np.array([[[theta, tau]]])
-    job = sampling.Job(Preetham(), ("sun_zenith", "turbidity"), sets, 160, 4, mirrored=True, rule="sun-centred")
-    sky, degrees = sampling.project_block(job).weights[0], sphere.degrees_orders(4, mirrored=True)[0]
+    job = sampling.Job(Preetham(), ("sun_zenith", "turbidity"), sets, 160, sphere.Harmonics.even(4), rule="sun-centred")
+    sky, degrees = sampling.project_block(job).weights[0], sphere.Harmonics.even(4).degrees
     lit = fold(replace(SUNLIT, ground=albedo), sky, degrees, sets[0])[0]
     unlit = fold(SUNLIT, sky, degrees, sets[0])[0]
     radiance = (lit - unlit)[:, 0] / sphere.lower_hemisphere(1)[0]
@@ -79,7 +79,7 @@ def test_a_table_holds_sky_and_sun(tmp_path: Path) -> None:
 
 
 def test_one_channel_is_the_luminance_of_three() -> None:
-    degrees, sets = sphere.degrees_orders(4, mirrored=True)[0], np.array([[0.5, 3.0], [1.57, 5.0]])
+    degrees, sets = sphere.Harmonics.even(4).degrees, np.array([[0.5, 3.0], [1.57, 5.0]])
     none = np.zeros((2, 3, degrees.size))
     luminance = replace(SUNLIT.sun, luminance_row=Preetham().luminance_row) if SUNLIT.sun else None
     one = fold(replace(SUNLIT, sun=luminance, ground=(0.3,)), none[:, :1], degrees, sets)

@@ -110,7 +110,8 @@ def directxmath(sh: dict[str, list[float]], n: Array) -> Array:
     lobe = [np.pi, 2 * np.pi / 3, np.pi / 4, 0.0, -np.pi / 24, 0.0]
     theta, phi = np.arccos(n[:, 2]), np.arctan2(n[:, 1], n[:, 0])
     total = np.zeros((len(n), 3))
-    for i, (l, m) in enumerate(zip(*(part.tolist() for part in sphere.degrees_orders(6)), strict=True)):
+    every = sphere.Harmonics(6)
+    for i, (l, m) in enumerate(zip(every.degrees.tolist(), every.orders.tolist(), strict=True)):
         wave = sph_harm_y(l, abs(m), theta, phi)  # with the sign, as XMSHEvalDirection
         y = wave.real if m == 0 else np.sqrt(2) * (wave.real if m > 0 else wave.imag)
         total += np.outer(lobe[l] / np.pi * y, [sh[c][i] for c in ("red", "green", "blue")])
@@ -144,7 +145,7 @@ READERS: dict[str, tuple[Callable[..., Array], Callable[[Array], Array]]] = {
 def expected(weights: NDArray[np.floating], n: Array, bands: int) -> Array:
     """Our irradiance / pi, (n, 3), straight from our weights."""
     lobe = np.array([np.pi, 2 * np.pi / 3, np.pi / 4, 0.0, -np.pi / 24, 0.0])
-    degrees, _ = sphere.degrees_orders(bands)
+    degrees = sphere.Harmonics(bands).degrees
     return sphere.evaluate(weights[:, : bands * bands].astype(np.float64) * lobe[degrees] / np.pi, n).T
 
 

@@ -29,7 +29,7 @@ def errors(small_run: Result) -> pd.DataFrame:
 def truth(sets: Array) -> tuple[Array, Array]:
     """All weights ``(n, channels, 16)`` at azimuth 0, and the least luminance on a fine grid of directions."""
     parameters = {"sun_zenith": sets[:, :1], "turbidity": sets[:, 1:]}
-    weights = rings.project(LIGHT, parameters, nodes=72, bands=BANDS, mirrored=True).weights[:, 0]
+    weights = rings.project(LIGHT, parameters, nodes=72, harmonics=sphere.Harmonics.even(BANDS)).weights[:, 0]
     zenith, azimuth = np.meshgrid(np.linspace(0, np.pi / 2, 181), np.linspace(0, np.pi, 91), indexing="ij")
     flat = np.sin(zenith)
     directions = np.stack([flat * np.cos(azimuth), flat * np.sin(azimuth), np.maximum(np.cos(zenith), 0.0)], axis=-1)
@@ -37,7 +37,7 @@ def truth(sets: Array) -> tuple[Array, Array]:
         (LIGHT.radiance(directions, {"sun_zenith": np.array(a), "turbidity": np.array(b)}) @ LIGHT.luminance_row).min()
         for a, b in sets
     ]
-    return sphere.unmirror(weights, BANDS), np.array(least)
+    return sphere.Harmonics.even(BANDS).unmirror(weights), np.array(least)
 
 
 def measured(residual: Array, bands: int) -> tuple[Array, Array]:

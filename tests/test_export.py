@@ -192,7 +192,7 @@ def test_tables_over_any_axes_reach_c(
     made = tuple(Axis(n, 0.0, 1.0 + i, map=kinds[i][0], point=kinds[i][1]) for i, n in enumerate(names))
     numbers = np.array([2.0, 0.3, 0.1]).reshape(3, *(1,) * (axes - 1)).astype(np.float32)
     scale = reciprocal(numbers, [axis.specified for axis in made])
-    dense = rng.normal(size=(2, sphere.count(3, mirrored=mirrored), *(d + 1 for d in degrees)))
+    dense = rng.normal(size=(2, sphere.Harmonics(3, mirrored).count, *(d + 1 for d in degrees)))
     spec = specification(made, ("one", "two"), mirrored, basis, scale if basis == "chebyshev" else None)
     if layout == "packed":
         whole = np.rint(20 * dense.swapaxes(0, 1).reshape(dense.shape[1], 2, degrees[0] + 1, -1)).astype(np.int64)

@@ -154,7 +154,7 @@ def test_the_zonal_window_is_a_sinc_of_its_bands(tmp_path: Path, bands: int) -> 
     header_of_three_bands(tmp_path)
     weights = np.random.default_rng(3).normal(size=(3, 9))
     (found,) = added(tmp_path, weights, f"    skylight_sh_window({bands}, w);\n    show();\n")
-    l, m = sphere.degrees_orders(3)
+    l, m = sphere.Harmonics(3).degrees, sphere.Harmonics(3).orders
     factors = np.where((l < bands) & (m == 0), np.sinc(l / bands), 1.0)
     assert found == pytest.approx((weights * factors).ravel(), abs=1e-6)
 

@@ -207,7 +207,7 @@ def gradient(table: Table, rows: NDArray[np.float32], folder: Path) -> tuple[lis
 def three_axes() -> Table:
     rng = np.random.default_rng(5)
     axes = (Axis("sun_zenith", 0.25, 1.5), Axis("haze", 1.0, 3.0, map="log", point=0.5), Axis("albedo", -1.0, 1.0))
-    dense = rng.normal(size=(2, sphere.count(3, mirrored=True), 6, 4, 4))
+    dense = rng.normal(size=(2, sphere.Harmonics.even(3).count, 6, 4, 4))
     dense *= 2.0 ** -np.sum(np.indices(dense.shape[2:]), axis=0)
     return fast(specification(axes, ("a", "b"), True, "chebyshev", None), dense, np.full((4, 4), 6), 3, "float64")
 

@@ -8,6 +8,7 @@ import mitsuba
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from skylight_sh import sphere
 from skylight_sh.light import MissingExtraError, mitsuba_sunsky
 from skylight_sh.light.mitsuba_sunsky import MitsubaSunsky
 from skylight_sh.quadrature import convergence, sampling
@@ -82,7 +83,7 @@ def test_it_is_mirrored_as_it_says() -> None:
 
 
 def test_the_sun_centred_rule_converges() -> None:
-    nodes, estimate = convergence.choose_nodes(MitsubaSunsky(), RANGES, bands=7, mirrored=True, tolerance=1e-10)
+    nodes, estimate = convergence.choose_nodes(MitsubaSunsky(), RANGES, harmonics=sphere.Harmonics.even(7), tolerance=1e-10)
     assert nodes <= 64
     assert estimate <= 1e-10
 
@@ -91,7 +92,9 @@ def test_weights_have_kinks_at_whole_turbidities_only() -> None:
     def slopes(turbidity: float) -> float:
         steps = np.array([-1e-3, 0.0, 1e-3])
         values = np.stack([np.full(3, 0.8), turbidity + steps, np.full(3, 0.3)], axis=-1)[np.newaxis]
-        weights = sampling.project_block(sampling.Job(MitsubaSunsky(), NAMES, values, 40, 4, True)).weights[0]
+        weights = sampling.project_block(sampling.Job(MitsubaSunsky(), NAMES, values, 40, sphere.Harmonics.even(4))).weights[
+            0
+        ]
         left, right = np.diff(weights, axis=0) / 1e-3
         return float(np.abs(right - left).max() / np.abs(weights).max())
 
@@ -99,7 +102,7 @@ def test_weights_have_kinks_at_whole_turbidities_only() -> None:
 
 
 def test_it_travels_to_other_processes() -> None:
-    job = sampling.Job(MitsubaSunsky(), NAMES, SETS[:1, np.newaxis], 24, 3, True)
+    job = sampling.Job(MitsubaSunsky(), NAMES, SETS[:1, np.newaxis], 24, sphere.Harmonics.even(3))
     there = map_tasks(sampling.project_block, [job], executor="processes", workers=1, advance=lambda *_: None)
     assert np.array_equal(there[0].weights, sampling.project_block(job).weights)
 

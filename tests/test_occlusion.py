@@ -17,7 +17,7 @@ Array = NDArray[np.float64]
 @pytest.mark.parametrize("elevation", [-np.pi / 2, -0.4, 0.0, 1e-6, 0.7, np.pi / 2])
 def test_a_level_horizon_is_a_cap(elevation: float, bands: int) -> None:
     found = sphere.horizon(np.full(5, elevation), bands)
-    degrees, orders = sphere.degrees_orders(bands)
+    degrees, orders = sphere.Harmonics(bands).degrees, sphere.Harmonics(bands).orders
     expected = np.where(orders == 0, sphere.cap(np.array([np.pi / 2 - elevation]), bands)[0][degrees], 0)
     assert np.abs(found - expected).max() < 2e-14 * np.pi
     assert sphere.horizon(elevation, bands) == pytest.approx(expected, abs=2e-14 * np.pi)

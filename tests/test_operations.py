@@ -124,7 +124,7 @@ def test_windows_have_their_closed_forms() -> None:
 
 @pytest.mark.parametrize("keep", ["radiance", "irradiance"])
 @pytest.mark.parametrize("bands", [2, 3, 5, 7, 10])
-def test_smallest_window_is_nowhere_negative_and_smooths_no_more_than_that(
+def test_nonnegative_smoothing_is_nowhere_negative_and_smooths_no_more_than_that(
     bands: int, keep: Literal["radiance", "irradiance"]
 ) -> None:
     """On 10,000 directions: small suns over dim caps, an expansion at random, and one that needs nothing."""
@@ -136,7 +136,7 @@ def test_smallest_window_is_nowhere_negative_and_smooths_no_more_than_that(
     calm = np.where(np.arange(bands**2) == 0, 1.0, 1e-3 / bands**2)
     known = np.concatenate([lights, drawn, calm[np.newaxis]])
     kernel = sphere.clamped_cosine(bands) if keep == "irradiance" else np.ones(bands)
-    smoothing = sphere.smallest_window(known, keep)
+    smoothing = sphere.nonnegative_smoothing(known, keep)
     after = sphere.scale_degrees(known, kernel * sphere.laplacian_window(bands, smoothing))
     assert sphere.evaluate(after, directions(10_000, 9)).min() >= 0.0
     least, where = sphere.minimum(after)
@@ -334,8 +334,8 @@ def test_greens_two_lights() -> None:
         (lambda: sphere.sinc_window(4, cutoff=0.0), "cutoff 0.0"),
         (lambda: sphere.sinc_window(4, power=-1), "power -1"),
         (lambda: sphere.laplacian_window(4, np.nan), "smoothing nan"),
-        (lambda: sphere.smallest_window(-np.ones(9)), "mean.*-1.0"),
-        (lambda: sphere.smallest_window(np.full(9, np.inf)), "weight inf"),
+        (lambda: sphere.nonnegative_smoothing(-np.ones(9)), "mean.*-1.0"),
+        (lambda: sphere.nonnegative_smoothing(np.full(9, np.inf)), "weight inf"),
         (lambda: sphere.packed_irradiance(np.ones(1)), "at least 2"),
         (lambda: sphere.nonnegative_irradiance(np.ones(3), np.eye(3)), r"shape \(3,\)"),
         (lambda: sphere.cap([0.1, -0.2], 4), "half-angle -0.2"),

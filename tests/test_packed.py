@@ -15,7 +15,7 @@ from skylight_sh.table import packed, prefactor
 from skylight_sh.table.bits import Writer
 
 BANDS = 4
-DEGREES, ORDERS = sphere.degrees_orders(BANDS, mirrored=True)
+DEGREES, ORDERS = sphere.Harmonics.even(BANDS).degrees, sphere.Harmonics.even(BANDS).orders
 PLACES = flat_places(BANDS, mirrored=True)
 
 
@@ -52,7 +52,7 @@ def test_packed_numbers_come_back_and_cost_what_was_said() -> None:
 def test_a_prefix_of_the_stream_serves_fewer_bands(bands: int) -> None:
     out = packed.pack(_numbers(), DEGREES)
     fewer = flat_places(bands, mirrored=True)
-    assert fewer.size == sphere.count(bands, mirrored=True)
+    assert fewer.size == sphere.Harmonics.even(bands).count
     assert np.array_equal(unpack(out, fewer), unpack(out, PLACES)[: fewer.size])
 
 

@@ -77,7 +77,7 @@ def test_a_black_box_from_another_package_goes_all_the_way(tmp_path: Path) -> No
     assert bool(rule.attrs["mirrored"])  # found by sampling: the light claims nothing
     grid = next(t for t in truths if t.attrs["step"] == "truth/grid")
     assert grid["estimate"].max() <= 1e-7
-    assert grid["weights"].shape[-1] == sphere.count(3, mirrored=True)
+    assert grid["weights"].shape[-1] == sphere.Harmonics.even(3).count
 
 
 @pytest.mark.parametrize(

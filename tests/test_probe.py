@@ -41,8 +41,8 @@ def sky(sun_zenith: float, turbidity: float, layout: Layout, height: int, width:
 
 def truth(sun_zenith: float, turbidity: float, bands: int) -> Array:
     parameters = {"sun_zenith": np.array([[sun_zenith]]), "turbidity": np.array([[turbidity]])}
-    samples = sun_centred.project(Preetham(), parameters, nodes=64, bands=bands, mirrored=True)
-    return np.asarray(sphere.unmirror(samples.weights[0, 0], bands))
+    samples = sun_centred.project(Preetham(), parameters, nodes=64, harmonics=sphere.Harmonics.even(bands))
+    return np.asarray(sphere.Harmonics.even(bands).unmirror(samples.weights[0, 0]))
 
 
 def error(weights: Array, expected: Array) -> float:

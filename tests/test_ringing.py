@@ -34,7 +34,7 @@ def test_a_cosine_is_negative_on_half_the_sphere() -> None:
 def test_windows_and_grounds_keep_their_promises() -> None:
     """A sky of the upper hemisphere: the least window leaves nothing negative, a ground halves what any other leaves."""
     bands = (3, 4, 7, 10)
-    degrees, orders = sphere.degrees_orders(10)
+    degrees, orders = sphere.Harmonics(10).degrees, sphere.Harmonics(10).orders
     sky = np.where(orders == 0, sphere.cap(np.array([np.pi / 2]), 10)[0][degrees], 0)[np.newaxis]
     found = measure(sky, ones(1), bands)
     assert found.windows[-2] == LEAST

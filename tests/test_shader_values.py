@@ -92,7 +92,7 @@ def test_shaders_compiled_as_cpp_agree_with_the_runtime(tmp_path: Path, name: st
     assert set(status.tolist()) == {0, 1}
     assert np.array_equal(got[..., 3], np.broadcast_to(status[:, np.newaxis], got.shape[:2]))
 
-    degrees, _ = sphere.degrees_orders(table.bands)
+    degrees = sphere.Harmonics(table.bands).degrees
     basis: Array = sphere.basis(directions().astype(np.float64), table.bands)
     bent = weights * lobe(table.bands)[degrees]
     expected = np.concatenate([weights, weights @ basis.T, bent @ basis.T], axis=-1)

@@ -49,7 +49,7 @@ def made(axes: int, channels: int, bands: int, mirrored: bool, basis: str, over:
     numbers = np.array([2.0, 0.3, -0.1]).reshape(3, *(1,) * (axes - 1)).astype(np.float32)
     scale = reciprocal(numbers, [axis.specified for axis in AXES[:axes]]) if over else None
     spec = specification(AXES[:axes], ("a", "b", "c")[:channels], mirrored, basis, scale)
-    dense = rng.normal(size=(channels, sphere.count(bands, mirrored=mirrored), *(d + 1 for d in degrees)))
+    dense = rng.normal(size=(channels, sphere.Harmonics(bands, mirrored).count, *(d + 1 for d in degrees)))
     lengths = rng.integers(0, degrees[0] + 2, size=dense.shape[3:])
     lengths.flat[0] = 2
     return fast(spec, dense, lengths, bands, "float32")
@@ -105,7 +105,7 @@ def test_shaders_agree_with_the_runtime(images: dict[str, Floats], name: str, la
     assert set(status.tolist()) == {0, 1}
     assert np.array_equal(image[..., 3], np.broadcast_to(status[:, np.newaxis], image.shape[:2]))
 
-    degrees, _ = sphere.degrees_orders(table.bands)
+    degrees = sphere.Harmonics(table.bands).degrees
     basis = sphere.basis(directions().astype(np.float64), table.bands)
     bent = weights * lobe(table.bands)[degrees]
     expected = np.concatenate([weights, weights @ basis.T, bent @ basis.T], axis=-1)

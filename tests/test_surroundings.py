@@ -86,7 +86,7 @@ def test_a_skyline_hides_what_its_integral_says() -> None:
 
 def test_opaque_clouds_and_the_ground_below() -> None:
     colour, albedo = np.array([3.0, 2.0, 1.0]), [0.1, 0.2, 0.3]
-    upper = np.where(sphere.degrees_orders(BANDS)[1] == 0, sphere.cap(np.pi / 2, BANDS)[sphere.degrees_orders(BANDS)[0]], 0)
+    upper = np.where(sphere.Harmonics(BANDS).orders == 0, sphere.cap(np.pi / 2, BANDS)[sphere.Harmonics(BANDS).degrees], 0)
     # Clouds end on the horizon, whatever the picture shows below it.
     assert np.abs(build(BANDS, clouds=(constant(1.0, WIDE), colour)).own - np.multiply.outer(colour, upper)).max() < 1e-12
     # Through clouds that are not there, the ground is that of ``add_ground``.

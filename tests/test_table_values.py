@@ -27,7 +27,7 @@ def staircase(dtype: str = "float32", around: Surroundings | None = None, **scen
     """Two channels, three bands, lengths 3, 2 and 0: five terms."""
     rng = np.random.default_rng(1)
     spec = specification((ZENITH, HAZE), ("a", "b"), True, "chebyshev", None, **scene)
-    dense = rng.normal(size=(2, sphere.count(3, mirrored=True), 4, 3))
+    dense = rng.normal(size=(2, sphere.Harmonics.even(3).count, 4, 3))
     return fast(spec, dense, np.array([3, 2, 0]), 3, dtype, around)
 
 
@@ -61,7 +61,7 @@ def test_outputs_stand_in_fours_that_start_at_multiples_of_four() -> None:
     assert whole.widths == (8, 8)
     # Diffuse irradiance has no band 3.
     diffuse = outputs(4, 1, mirrored=False, quantity="irradiance")
-    assert diffuse.columns(4, 1, mirrored=False)[0, 9:].tolist() == [-1] * 7
+    assert diffuse.columns(sphere.Harmonics(4), 1)[0, 9:].tolist() == [-1] * 7
 
 
 def test_diffuse_irradiance_has_no_odd_bands_but_the_first() -> None:
@@ -247,7 +247,7 @@ def test_packing_takes_no_more_bytes_than_it_took() -> None:
     total = 0
     for seed in (1, 2):
         for bands in (4, 7):
-            degrees = sphere.degrees_orders(bands, mirrored=True)[0]
+            degrees = sphere.Harmonics.even(bands).degrees
             for channels in ((1.0, 0.2, 3.0), (1.0, 1.0, 1.0), (0.01, 1.0, 30.0)):
                 size = 3000.0 * np.reshape(channels, (3, 1, 1)) * 0.3 ** np.arange(7)[:, np.newaxis] * 0.15 ** np.arange(4)
                 drawn = np.random.default_rng(seed).normal(size=(degrees.size, 3, 7, 4))

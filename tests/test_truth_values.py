@@ -124,11 +124,11 @@ def test_rules_that_know_no_sun_have_plain_nodes() -> None:
 @pytest.mark.parametrize("rule", [sun_centred.project, rings.project, zenith_gauss.project])
 def test_a_constant_sky_has_the_weights_of_half_a_sphere(rule: Callable[..., Samples]) -> None:
     parameters = {"sun_zenith": np.array([[0.3], [1.2]]), "haze": np.array([[0.1, 0.2, 0.3], [0.4, 0.5, 0.6]])}
-    got = rule(Seen(Hints(peak_axis="sun_zenith")), parameters, nodes=40, bands=5, mirrored=False)
+    got = rule(Seen(Hints(peak_axis="sun_zenith")), parameters, nodes=40, harmonics=sphere.Harmonics(5))
     x, w = np.polynomial.legendre.leggauss(20)
     z = (1 + x) / 2
     half = np.sqrt((2 * np.arange(5) + 1) / (4 * np.pi)) * 2 * np.pi * (w / 2 @ np.polynomial.legendre.legvander(z, 4))
-    degrees, orders = sphere.degrees_orders(5)
+    degrees, orders = sphere.Harmonics(5).degrees, sphere.Harmonics(5).orders
     expected = np.where(orders == 0, half[degrees], 0.0)
     assert got.weights.shape == (2, 3, 1, 25)
     assert np.abs(got.weights - expected).max() < 1e-12
@@ -141,7 +141,7 @@ def test_plain_nodes_are_summed_in_blocks_of_bounded_memory() -> None:
     light = Preetham()
     parameters = {"sun_zenith": np.array([[0.3]]), "turbidity": np.array([[3.0]])}
     tracemalloc.start()
-    zenith_gauss.project(light, parameters, nodes=160, bands=24, mirrored=False)
+    zenith_gauss.project(light, parameters, nodes=160, harmonics=sphere.Harmonics(24))
     peak = tracemalloc.get_traced_memory()[1]
     tracemalloc.stop()
     assert peak < 250e6
@@ -168,7 +168,7 @@ def test_ladders_start_where_the_bands_ask() -> None:
 def test_nodes_are_chosen_on_five_values_an_axis() -> None:
     light = Seen(Hints(peak_axis="sun_zenith"))
     ranges = {"sun_zenith": (0.25, 1.25), "haze": (1.0, 3.0)}
-    nodes, estimate = convergence.choose_nodes(light, ranges, bands=3, mirrored=True, tolerance=1e-10)
+    nodes, estimate = convergence.choose_nodes(light, ranges, harmonics=sphere.Harmonics.even(3), tolerance=1e-10)
     # The coarser of the two that agree, by 24 and by 32 nodes.
     assert nodes == 24
     assert estimate < 1e-12
@@ -178,7 +178,9 @@ def test_nodes_are_chosen_on_five_values_an_axis() -> None:
     assert sorted(set(hazes)) == pytest.approx([1.0, 1.5, 2.0, 2.5, 3.0])
     # Two runs of two pieces, the full circles and the arcs.
     assert hazes.size == 2 * 2 * 25
-    assert convergence.choose_nodes(light, ranges, rule="adaptive", bands=3, mirrored=True, tolerance=1e-6)[0] == 0
+    assert (
+        convergence.choose_nodes(light, ranges, rule="adaptive", harmonics=sphere.Harmonics.even(3), tolerance=1e-6)[0] == 0
+    )
 
 
 def test_symmetry_is_asked_for_in_512_seeded_directions_to_1e_12() -> None:
@@ -224,9 +226,9 @@ def test_the_search_for_the_least_walks_in_thirds_of_a_twentieth() -> None:
 
 def test_adaptive_starts_with_cells_of_thirty_by_45_degrees() -> None:
     """6 x 6 Gauss nodes in each of 3 x 4 cells, and of their quarters; there 5 x 5 as well."""
-    for mirrored, turns in ((True, 4), (False, 8)):
+    for held, turns in ((sphere.Harmonics.even(1), 4), (sphere.Harmonics(1), 8)):
         light = Seen()
-        adaptive.project(light, {"sun_zenith": np.zeros((1, 1))}, tolerance=1e-3, bands=1, mirrored=mirrored)
+        adaptive.project(light, {"sun_zenith": np.zeros((1, 1))}, tolerance=1e-3, harmonics=held)
         found = np.concatenate([directions.reshape(-1, 3) for directions in light.directions])
         assert len(found) == 3 * turns * (5 * 36 + 4 * 25)
         zenith = np.unique(np.round(np.arccos(found[:, 2]), 9))
@@ -240,7 +242,7 @@ def test_adaptive_starts_with_cells_of_thirty_by_45_degrees() -> None:
 def test_neighbouring_cells_differ_by_one_halving_at_most(turn: int) -> None:
     """After any splits: cells that touch, corners and the turn's seam included, are as large, twice or half as large."""
     rng = np.random.default_rng(3)
-    cells = adaptive._first_mesh(mirrored=not turn)
+    cells = adaptive._first_mesh(sides=2 if turn else 1)
     assert len(cells) == 3 * (turn or 4)
     for _ in range(7):
         wanted = np.zeros(len(cells), dtype=np.bool_)

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from conftest import scene_config
 from numpy.typing import NDArray
+from skylight_sh import sphere
 from skylight_sh.light import sun_disc
 from skylight_sh.run import from_config
 from skylight_sh.scene import fold as folding
@@ -180,9 +181,9 @@ def test_what_errors_are_divided_by(quantity: str) -> None:
 
 
 def test_the_window_is_eq_5() -> None:
-    factors = window(from_config.scene_of(scene_config("window = true")), BANDS, mirrored=False)
+    factors = window(from_config.scene_of(scene_config("window = true")), sphere.Harmonics(BANDS))
     assert factors == pytest.approx(np.where(M == 0, sinc(math.pi * L / BANDS), 1.0), rel=1e-13)
-    assert window(SCENE, BANDS, mirrored=False).tolist() == [1.0] * BANDS**2
+    assert window(SCENE, sphere.Harmonics(BANDS)).tolist() == [1.0] * BANDS**2
 
 
 def test_ground_below_a_skyline() -> None:

@@ -32,7 +32,7 @@ def test_basis_is_scipys_without_its_sign() -> None:
     where = everywhere(40, 1)
     assert np.abs(sphere.basis(where, 12) - basis(where, 12)).max() < 1e-12
     mirrored = orders(12) >= 0
-    assert np.abs(sphere.basis(where, 12, mirrored=True) - basis(where, 12)[:, mirrored]).max() < 1e-12
+    assert np.abs(sphere.basis(where, sphere.Harmonics.even(12)) - basis(where, 12)[:, mirrored]).max() < 1e-12
 
 
 def test_basis_by_its_printed_polynomials() -> None:
@@ -245,7 +245,7 @@ def test_the_least_window_is_the_least(bands: int) -> None:
     sky = np.exp(3 * (above @ towards(0.9)))
     weights = (sky * solid) @ basis(above, bands)
     for keep, kernel in (("radiance", np.ones(bands)), ("irradiance", lobe(bands))):
-        smoothing = float(sphere.smallest_window(weights, keep))
+        smoothing = float(sphere.nonnegative_smoothing(weights, keep))
         kept = weights * kernel[l]
         least = [(rows @ (kept / (1 + s * (l * (l + 1.0)) ** 2))).min() for s in (smoothing, 0.97 * smoothing)]
         assert least[0] > -1e-9 * kept[0]
@@ -268,9 +268,10 @@ def test_indices() -> None:
     """l (l + 1) + m, in the order of the design."""
     pairs = [(l, m) for l in range(5) for m in range(-l, l + 1)]
     assert [sphere.flat_index(l, m) for l, m in pairs] == list(range(25))
-    assert list(zip(*(a.tolist() for a in sphere.degrees_orders(5)), strict=True)) == pairs
-    assert [sphere.count(5), sphere.count(5, mirrored=True)] == [25, 15]
-    full = sphere.unmirror(np.arange(1.0, 16.0), 5)
+    every = sphere.Harmonics(5)
+    assert list(zip(every.degrees.tolist(), every.orders.tolist(), strict=True)) == pairs
+    assert [sphere.Harmonics(5).count, sphere.Harmonics.even(5).count] == [25, 15]
+    full = sphere.Harmonics.even(5).unmirror(np.arange(1.0, 16.0))
     assert full[[m < 0 for _, m in pairs]].tolist() == [0.0] * 10
     assert full[[m >= 0 for _, m in pairs]].tolist() == list(itertools.accumulate([1.0] * 15))
     assert upper(3).shape == (3, 3)

@@ -96,8 +96,8 @@ def show_weights(weights: NDArray[np.floating], channels: tuple[str, ...], *, as
         click.echo(json.dumps({channel: weights[i].tolist() for i, channel in enumerate(channels)}))
         return
     click.echo(f"{'l':>3}{'m':>4}" + "".join(f"{channel:>16}" for channel in channels))
-    degrees, orders = sphere.degrees_orders(sphere.bands_of(weights))
-    for k, (l, m) in enumerate(zip(degrees.tolist(), orders.tolist(), strict=True)):
+    every = sphere.Harmonics(sphere.bands_of(weights))
+    for k, (l, m) in enumerate(zip(every.degrees.tolist(), every.orders.tolist(), strict=True)):
         click.echo(f"{l:>3}{m:>4}" + "".join(f"{weights[i, k]:>16.8g}" for i in range(len(channels))))
 
 

@@ -12,13 +12,13 @@ from itertools import chain, repeat
 import numpy as np
 from numpy.typing import NDArray
 
-from skylight_sh import sphere
 from skylight_sh.fit import least_squares
 from skylight_sh.fit.errors import Reference, e_mean
 from skylight_sh.fit.tensor_product import products
 from skylight_sh.formula.bases import BASES
 from skylight_sh.light.protocol import Light
 from skylight_sh.quadrature import direction_sums, monte_carlo, parameter_points
+from skylight_sh.sphere import Harmonics
 
 Array = NDArray[np.float64]
 Floats = NDArray[np.floating]
@@ -82,7 +82,7 @@ class Scheme:
         """Return the largest E_mean of coefficients over the sets of the reference."""
         truth = self.reference.weights[..., self.reference.first_bands(self.bands)]
         if truth.shape[-1] != self.bands * self.bands:
-            truth = np.asarray(sphere.unmirror(truth, self.bands))
+            truth = np.asarray(Harmonics.even(self.bands).unmirror(truth))
         return e_mean(self.evaluate(made, self.reference.parameters) - truth, self.reference.headline)
 
     def undersampling(self, sampled: Array) -> Mapping[str, float]:
@@ -94,9 +94,8 @@ class Scheme:
         """
         made = self.fit(sampled, "svd")
         fitted = self.evaluate(made, parameter_points.grid(list(self.nodes)))
-        _, orders = sphere.degrees_orders(self.bands)
         norms = np.sqrt((sampled**2).sum(axis=(1, 2)))
-        below = np.sqrt((sampled[..., orders < 0] ** 2).sum(axis=(1, 2)))
+        below = np.sqrt((sampled[..., Harmonics(self.bands).orders < 0] ** 2).sum(axis=(1, 2)))
         off = np.sqrt(((sampled - self.exact) ** 2).sum(axis=(1, 2)))
         return {
             "m_below_0": float(np.median(below / norms)),

@@ -39,7 +39,7 @@ def project(image: NDArray[np.floating], layout: Layout, bands: int, *, signed: 
             f"Invalid number of bands {bands}. Should be from 1 to {most} for a {layout} picture of "
             f"{image.shape[1]}x{image.shape[0]} (width x height): ask for fewer, or take a larger picture."
         )
-    weights = np.zeros((image.shape[-1], sphere.count(bands)))
+    weights = np.zeros((image.shape[-1], bands * bands))
     for patch in found:
         u, v = patch.edges()
         for rows in _blocks(patch, bands):
@@ -82,7 +82,7 @@ def _sum(chart: Chart, u: Array, v: Array, flux: Array, bands: int) -> Array:
 
 def _blocks(patch: Patch, bands: int) -> Iterator[slice]:
     """Split a patch's rows so that a block's basis and its temporaries stay within ``_BLOCK`` floats, one row at least."""
-    step = max(1, _BLOCK // (patch.columns * (3 * sphere.count(bands) + 20)))
+    step = max(1, _BLOCK // (patch.columns * (3 * bands * bands + 20)))
     for start in range(0, patch.rows, step):
         yield slice(start, min(start + step, patch.rows))
 

@@ -12,6 +12,7 @@ from skylight_sh.quadrature import parameter_points as parameter_sets
 from skylight_sh.quadrature.registry import RULES
 from skylight_sh.quadrature.samples import NotConvergedError
 from skylight_sh.quadrature.sampling import Job, peak_of, project_block
+from skylight_sh.sphere import Harmonics
 
 Array = NDArray[np.float64]
 
@@ -25,8 +26,7 @@ def choose_nodes(
     ranges: Mapping[str, tuple[float, float]],
     *,
     rule: str = "sun-centred",
-    bands: int,
-    mirrored: bool,
+    harmonics: Harmonics,
     tolerance: float,
 ) -> tuple[int, float]:
     """Return the number of nodes that meets ``tolerance`` over the whole range, and the error estimate.
@@ -36,19 +36,27 @@ def choose_nodes(
     run's node count is returned: the finer one measures its error, which is the estimate. An adaptive rule needs no
     number, and has its own estimate: the largest over the same sets. Raises NotConvergedError with the difference
     reached.
+
+    >>> from skylight_sh.light.cie_traditional import CieTraditional
+    >>> nodes, error = choose_nodes(
+    ...     CieTraditional(sky="overcast"), {"sun_zenith": (0.0, 1.5)}, harmonics=Harmonics.even(2), tolerance=1e-6
+    ... )
+    >>> nodes, error < 1e-6
+    (24, True)
     """
     names = tuple(ranges)
     probes = parameter_sets.grid([np.linspace(low, high, _PROBES_PER_AXIS) for low, high in ranges.values()])
     blocks = [probes[block] for block in parameter_sets.chunks(probes, peak_of(light, names), 64)]
-    ladder = RULES[rule].ladder
-    if ladder is None:
-        jobs = [Job(light, names, block, 0, bands, mirrored, rule, tolerance) for block in blocks]
+    steps = RULES[rule].ladder
+    if steps is None:
+        jobs = [Job(light, names, block, 0, harmonics, rule, tolerance) for block in blocks]
         return 0, max(float(project_block(job).estimate.max()) for job in jobs)
     estimate = np.inf
     previous: list[Array] = []
     coarser = 0
-    for nodes in ladder(bands):
-        current = [project_block(Job(light, names, block, nodes, bands, mirrored, rule)).weights for block in blocks]
+    ladder = steps(harmonics.bands)
+    for nodes in ladder:
+        current = [project_block(Job(light, names, block, nodes, harmonics, rule)).weights for block in blocks]
         if previous:
             estimate = max(
                 float(np.max(np.abs(new - old).max(axis=-1) / np.maximum(np.abs(new).max(axis=-1), _TINY)))
@@ -58,14 +66,19 @@ def choose_nodes(
                 return coarser, estimate
         previous, coarser = current, nodes
     raise NotConvergedError(
-        f"The truth did not converge: {ladder(bands)[-1]} nodes of the rule {rule!r} reach {estimate:.2g} relative, but "
+        f"The truth did not converge: {ladder[-1]} nodes of the rule {rule!r} reach {estimate:.2g} relative, but "
         f"truth.tolerance is {tolerance:.2g}. Raise truth.tolerance, lower truth.bands, narrow the axes' ranges or choose "
         "another truth.rule."
     )
 
 
 def is_mirrored(light: Light, ranges: Mapping[str, tuple[float, float]], *, samples: int = 512, seed: int = 1) -> bool:
-    """Check by sampling that radiance is even in y, to 1e-12 of itself; a light's own hint is only a claim."""
+    """Check by sampling that radiance is even in y, to 1e-12 of itself; a light's own hint is only a claim.
+
+    >>> from skylight_sh.light.cie_traditional import CieTraditional
+    >>> is_mirrored(CieTraditional(sky="overcast"), {"sun_zenith": (0.0, 1.5)})
+    True
+    """
     rng = np.random.default_rng(seed)
     directions = rng.normal(size=(samples, 3))
     directions[:, 2] = np.abs(directions[:, 2])

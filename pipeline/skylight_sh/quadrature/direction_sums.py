@@ -20,26 +20,25 @@ Array = NDArray[np.float64]
 _BLOCK = 8_000_000
 
 
-def project(light: Light, parameters: Parameters, nodes: tuple[Array, Array], bands: int, *, mirrored: bool) -> Samples:
+def project(light: Light, parameters: Parameters, nodes: tuple[Array, Array], harmonics: sphere.Harmonics) -> Samples:
     """Return the samples of the sets ``parameters``, of any shape, from ``nodes``: directions and their solid angles."""
     sets = np.broadcast_shapes(*(values.shape for values in parameters.values()))
-    count = sphere.count(bands, mirrored=mirrored)
     named = {name: np.broadcast_to(values, sets).reshape(-1, 1) for name, values in parameters.items()}
     channels = len(light.channels)
     weights, least, where = (
-        np.zeros((np.prod(sets, dtype=int), channels, count)),
+        np.zeros((np.prod(sets, dtype=int), channels, harmonics.count)),
         np.full(sets, np.inf),
         np.zeros((*sets, 3)),
     )
     directions, solid_angles = nodes
-    step = max(1, _BLOCK // (count + 8 * len(weights) * channels))
+    step = max(1, _BLOCK // (harmonics.count + 8 * len(weights) * channels))
     for start in range(0, len(directions), step):
         block = slice(start, start + step)
-        table = tabulate(directions[block], solid_angles[block], bands, mirrored=mirrored)
+        table = tabulate(directions[block], solid_angles[block], harmonics)
         radiance = np.broadcast_to(light.radiance(directions[block], named), (len(weights), len(table), channels))
         keep_least((radiance @ light.luminance_row).reshape(*sets, -1), directions[block], least, where)
         weights += radiance.swapaxes(1, 2) @ table
-    return Samples(weights.reshape(*sets, channels, count), least, where, np.full(sets, np.nan))
+    return Samples(weights.reshape(*sets, channels, -1), least, where, np.full(sets, np.nan))
 
 
 def project_one(light: Light, parameters: Mapping[str, float], directions: Array, weighted_basis: Array) -> Array:
@@ -48,12 +47,20 @@ def project_one(light: Light, parameters: Mapping[str, float], directions: Array
     return np.asarray(light.radiance(directions, named).T @ weighted_basis)
 
 
-def tabulate(directions: Array, solid_angles: Array, bands: int, *, mirrored: bool = False) -> Array:
-    """Return the SH basis at ``directions`` times their solid angles, ``(n, count)``; ``mirrored`` keeps m >= 0."""
-    return sphere.basis(directions, bands, mirrored=mirrored) * solid_angles[:, np.newaxis]
+def tabulate(directions: Array, solid_angles: Array, harmonics: sphere.Harmonics | int) -> Array:
+    """Return the SH basis at ``directions`` times their solid angles, ``(n, count)``; see ``sphere.basis``.
+
+    >>> tabulate(np.array([[0.0, 0.0, 1.0]]), np.array([2.0]), 1).round(4).tolist()
+    [[0.5642]]
+    """
+    return sphere.basis(directions, harmonics) * solid_angles[:, np.newaxis]
 
 
 def towards(z: Array, phi: Array) -> Array:
-    """Return unit vectors ``(n, 3)`` of height ``z`` and azimuth ``phi`` in radians, both ``(n,)``."""
+    """Return unit vectors ``(n, 3)`` of height ``z`` and azimuth ``phi`` in radians, both ``(n,)``.
+
+    >>> towards(np.array([1.0, 0.0]), np.array([0.0, np.pi / 2])).round(6).tolist()
+    [[0.0, 0.0, 1.0], [0.0, 1.0, 0.0]]
+    """
     flat = np.sqrt((1 - z) * (1 + z))
     return np.stack([flat * np.cos(phi), flat * np.sin(phi), z], axis=-1)

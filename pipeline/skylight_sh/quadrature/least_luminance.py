@@ -19,6 +19,11 @@ def refine(light: Light, parameters: Parameters, directions: Array, least: Array
     Parameters have shape ``(n,)``; ``directions`` ``(n, 3)`` and ``least`` ``(n,)`` are the darkest samples
     of the quadrature, which are dense enough to stand in the right valley. Returns ``(n,)``, right to about 1e-6
     of itself where the sky is smooth: the last step is 5e-4 rad and the minimum is quadratic, or on the horizon.
+
+    >>> from skylight_sh.light.cie_traditional import CieTraditional
+    >>> start, found = np.array([[0.995, 0.0, 0.1]]), np.array([0.4])
+    >>> refine(CieTraditional(sky="overcast"), {"sun_zenith": np.array([0.4])}, start, found).round(4).tolist()
+    [0.3333]
     """
     zenith = np.arctan2(np.hypot(directions[:, 0], directions[:, 1]), directions[:, 2])
     azimuth = np.arctan2(directions[:, 1], directions[:, 0])

@@ -13,12 +13,20 @@ Index = NDArray[np.int64]
 
 
 def grid(nodes: Sequence[Array]) -> Array:
-    """Return all combinations of one value per axis, first axis slowest: shape ``(sets, axes)``."""
+    """Return all combinations of one value per axis, first axis slowest: shape ``(sets, axes)``.
+
+    >>> grid([np.array([0.0, 1.0]), np.array([2.0, 3.0])]).tolist()
+    [[0.0, 2.0], [0.0, 3.0], [1.0, 2.0], [1.0, 3.0]]
+    """
     return np.stack(np.meshgrid(*nodes, indexing="ij"), axis=-1).reshape(-1, len(nodes))
 
 
 def random(ranges: Sequence[tuple[float, float]], count: int, seed: int) -> Array:
-    """Return ``count`` uniform random sets inside ``ranges``, shape ``(count, axes)``; the seed decides them."""
+    """Return ``count`` uniform random sets inside ``ranges``, shape ``(count, axes)``; the seed decides them.
+
+    >>> random([(0.0, 1.0), (2.0, 3.0)], 5, seed=1).shape
+    (5, 2)
+    """
     low, high = np.array(ranges, dtype=np.float64).T
     return np.asarray(low + (high - low) * np.random.default_rng(seed).random((count, len(ranges))))
 
@@ -28,6 +36,9 @@ def held_out(ranges: Sequence[tuple[float, float]], count: int, edge: int, seed:
 
     An edge holds one axis at an end of its range while the others are a Sobol sequence of their own. Axes of no width
     and, of a single axis, edges (they are its corners) add nothing. The seed decides all.
+
+    >>> held_out([(0.0, 1.0), (2.0, 3.0)], 8, 4, seed=1).shape
+    (28, 2)
     """
     low, high = np.array(ranges, dtype=np.float64).T
     axes = len(ranges)
@@ -56,6 +67,9 @@ def chunks(sets: Array, shared: int | None, size: int) -> list[Index]:
 
     ``sets`` has shape ``(n, axes)``. Every set is in exactly one block of at most ``size`` sets, and the blocks
     depend on the sets alone, never on who works on them. ``shared=None``: all sets may share nodes.
+
+    >>> [block.tolist() for block in chunks(np.array([[0.1, 2.0], [0.2, 2.0], [0.1, 3.0]]), shared=0, size=2)]
+    [[[1]], [[0, 2]]]
     """
     if size < 1:
         raise ValueError(f"Invalid chunk size {size}. Should be at least 1.")

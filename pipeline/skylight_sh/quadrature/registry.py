@@ -21,7 +21,12 @@ RULES: Registry[Rule] = Registry(
 
 
 def suited(light: Light, bands: int) -> str:
-    """Return the name of the rule for a light's hints: one about its peak, rings for many bands, or the adaptive one."""
+    """Return the name of the rule for a light's hints: one about its peak, rings for many bands, or the adaptive one.
+
+    >>> from skylight_sh.light.preetham import Preetham
+    >>> suited(Preetham(), 7), suited(Preetham(), 32)
+    ('sun-centred', 'rings')
+    """
     if light.hints.peak_axis is None and light.hints.peak_zenith is None:
         return "adaptive"
     return "sun-centred" if bands < _MANY_BANDS else "rings"

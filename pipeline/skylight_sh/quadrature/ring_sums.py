@@ -10,20 +10,23 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from skylight_sh.sphere import Harmonics
+
 Array = NDArray[np.float64]
 
 # Up to so many bands the quick recurrence loses no more than the sums do.
 _FEW_BANDS = 16
 
 
-def accumulate(total: Array, sides: Sequence[Array], azimuth: Array, factors: Array, bands: int) -> None:
+def accumulate(total: Array, sides: Sequence[Array], azimuth: Array, factors: Array, harmonics: Harmonics) -> None:
     """Add weighted radiances to the SH weights ``total`` ``(groups, rows, count)`` in place.
 
     ``sides`` are the radiances ``(groups, rings, rows, azimuths)`` at ``azimuth`` ``(groups, rings, azimuths)`` >= 0 and,
-    unless they are mirrored and count is N(N+1)/2, at its negative; ``factors`` ``(N(N+1)/2, groups, rings)`` come from
+    unless the ``harmonics`` are those even in y alone, at its negative; ``factors`` ``(N(N+1)/2, groups, rings)`` come from
     ``sphere.legendre``.
     """
-    if len(sides) == 1:
+    bands = harmonics.bands
+    if len(harmonics.sides) == 1:
         even = cosines(azimuth, bands) if bands <= _FEW_BANDS else waves(azimuth, bands).real
         _add_orders(total, 2.0 * (sides[0] @ even), factors, bands, sign=0)
     else:
@@ -33,7 +36,11 @@ def accumulate(total: Array, sides: Sequence[Array], azimuth: Array, factors: Ar
 
 
 def cosines(azimuth: Array, bands: int) -> Array:
-    """cos(m phi) for m < bands, ``(..., azimuths, bands)``, by Chebyshev's recurrence: rounding grows with m squared."""
+    """cos(m phi) for m < bands, ``(..., azimuths, bands)``, by Chebyshev's recurrence: rounding grows with m squared.
+
+    >>> cosines(np.array([np.pi]), 4).tolist()
+    [[1.0, -1.0, 1.0, -1.0]]
+    """
     out = np.empty((bands, *azimuth.shape))
     out[0] = 1.0
     if bands > 1:
@@ -46,7 +53,11 @@ def cosines(azimuth: Array, bands: int) -> Array:
 
 
 def waves(azimuth: Array, bands: int) -> NDArray[np.complex128]:
-    """exp(i m phi) for m < bands, ``(..., azimuths, bands)``, by doubling: rounding grows with log m."""
+    """exp(i m phi) for m < bands, ``(..., azimuths, bands)``, by doubling: rounding grows with log m.
+
+    >>> waves(np.array([np.pi]), 4).real.tolist()
+    [[1.0, -1.0, 1.0, -1.0]]
+    """
     out = np.ones((*azimuth.shape[:-1], bands, azimuth.shape[-1]), dtype=np.complex128)
     if bands > 1:
         out[..., 1, :].real = np.cos(azimuth)

@@ -38,37 +38,49 @@ _HELD = 24
 _NEWTON_STEPS = 8
 
 
-def project(light: Light, parameters: Parameters, *, nodes: int, bands: int, mirrored: bool) -> Samples:
+def project(light: Light, parameters: Parameters, *, nodes: int, harmonics: sphere.Harmonics) -> Samples:
     """Integrate radiance times ``y_lm`` over the upper hemisphere for ``g`` groups of ``k`` parameter sets.
 
     Every parameter has shape ``(g, k)``, the peak's zenith angle (``light.hints.peak_axis``, radians, 0 where there
     is none) ``(g, 1)``: one set of nodes serves a group. ``nodes`` is the number of azimuths on half a ring; rings
-    follow from it. ``mirrored`` samples half the sky and keeps m >= 0. Beside its result and the parameters the rule
-    holds 64 MB, whatever is asked of it. Of the set's largest weight the Preetham sky misses 1e-9 with
-    ``nodes >= max(60, bands + 12)``.
+    follow from it. Where the ``harmonics`` are those even in y alone, half the sky is sampled. Beside its result and
+    the parameters the rule holds 64 MB, whatever is asked of it. Of the set's largest weight the Preetham sky misses
+    1e-9 with ``nodes >= max(60, bands + 12)``.
+
+    The zonal weights of an overcast sky, (1 + 2 z) / 3:
+
+    >>> from skylight_sh.light.cie_traditional import CieTraditional
+    >>> sky, at = CieTraditional(sky="overcast"), {"sun_zenith": np.array([[0.4]])}
+    >>> project(sky, at, nodes=24, harmonics=sphere.Harmonics.even(2)).weights[0, 0, 0, :2].round(4).tolist()
+    [1.1816, 1.1939]
     """
     axis = light.hints.peak_axis
     groups, sets = np.broadcast_shapes(*(values.shape for values in parameters.values()))
     theta = parameters[axis][:, 0] if axis else np.full(groups, light.hints.peak_zenith or 0.0)
-    step = max(1, _BLOCK // (_floats(nodes, bands, len(light.channels), mirrored=mirrored)[1]))
-    shape = (groups, sets, len(light.channels), sphere.count(bands, mirrored=mirrored))
+    step = max(1, _BLOCK // (_floats(nodes, harmonics, len(light.channels))[1]))
+    shape = (groups, sets, len(light.channels), harmonics.count)
     samples = Samples(np.zeros(shape), np.full(shape[:2], np.inf), np.zeros((*shape[:2], 3)), np.full(shape[:2], np.nan))
     for group in range(groups):
-        height, azimuth, share = _nodes(theta[group], nodes, bands)
+        height, azimuth, share = _nodes(theta[group], nodes, harmonics.bands)
         for start in range(0, sets, step):
             part = slice(start, min(start + step, sets))
             named = {
                 name: values[group, part if values.shape[1] > 1 else slice(None), np.newaxis, np.newaxis]
                 for name, values in parameters.items()
             }
-            _add(light, named, (height, azimuth, share), bands, mirrored=mirrored, into=_view(samples, group, part))
+            _add(light, named, (height, azimuth, share), harmonics, into=_view(samples, group, part))
     return samples
 
 
 def half_sky(theta: float, nodes: int, bands: int) -> tuple[Array, Array]:
-    """Return the nodes of one peak as ``plain`` takes them: directions ``(n, 3)`` and solid angles ``(n,)``.
+    """Return directions ``(n, 3)`` and solid angles ``(n,)`` in sr for a peak ``theta`` radians from the zenith.
 
-    They lie on one side of the peak's azimuth and stand for both: for a mirrored light, whose basis is worth a table.
+    They lie on one side of the peak's azimuth and stand for both: nodes for ``direction_sums.tabulate`` and a light even
+    in y.
+
+    >>> directions, solid_angles = half_sky(1.2, 32, 7)
+    >>> float((solid_angles.sum() / (2 * np.pi)).round(6))
+    1.0
     """
     height, azimuth, share = _nodes(theta, nodes, bands)
     column = height[:, np.newaxis]
@@ -76,28 +88,28 @@ def half_sky(theta: float, nodes: int, bands: int) -> tuple[Array, Array]:
 
 
 def _add(
-    light: Light, parameters: Parameters, nodes: tuple[Array, Array, Array], bands: int, *, mirrored: bool, into: Samples
+    light: Light, parameters: Parameters, nodes: tuple[Array, Array, Array], harmonics: sphere.Harmonics, into: Samples
 ) -> None:
     """Add a group's rings to ``into``, whose arrays are ``(sets, ...)``, block by block."""
     heights, azimuths, shares = nodes
     sets = into.least.size
-    fixed, each = _floats(azimuths.shape[1], bands, len(light.channels), mirrored=mirrored)
+    fixed, each = _floats(azimuths.shape[1], harmonics, len(light.channels))
     step = max(1, _BLOCK // (fixed + sets * each))
     for start in range(0, heights.size, step):
         block = slice(start, start + step)
         height, azimuth, share = heights[block], azimuths[block], shares[block, :, np.newaxis]
         flat, up = np.sin(height)[:, np.newaxis], np.cos(height)[:, np.newaxis]
         sides = []
-        for side in (1.0,) if mirrored else (1.0, -1.0):
+        for side in harmonics.sides:
             directions = _directions(flat, up, side * azimuth)
             radiance = np.broadcast_to(light.radiance(directions, parameters), (sets, *share.shape[:2], len(light.channels)))
             luminance = (radiance @ light.luminance_row).reshape(sets, -1)
             keep_least(luminance, directions.reshape(-1, 3), into.least, into.least_direction)
             # (rings, sets, channels, azimuths) from (sets, rings, azimuths, channels).
             sides.append((radiance * share).transpose(1, 0, 3, 2).reshape(1, height.size, -1, azimuth.shape[1]))
-        factors = sphere.legendre(up.T, flat.T, bands)
+        factors = sphere.legendre(up.T, flat.T, harmonics.bands)
         total = into.weights.reshape(1, sets * len(light.channels), -1)
-        accumulate(total, sides, azimuth[np.newaxis], factors, bands)
+        accumulate(total, sides, azimuth[np.newaxis], factors, harmonics)
 
 
 def _nodes(theta: float, nodes: int, bands: int) -> tuple[Array, Array, Array]:
@@ -175,10 +187,10 @@ def _gauss(n: int) -> tuple[Array, Array]:
     return np.polynomial.legendre.leggauss(n)
 
 
-def _floats(nodes: int, bands: int, channels: int, *, mirrored: bool) -> tuple[int, int]:
+def _floats(nodes: int, harmonics: sphere.Harmonics, channels: int) -> tuple[int, int]:
     """Return how many floats a ring holds at once for all sets together, and for each set."""
-    sides = 1 if mirrored else 2
-    waves = nodes * ((4 if mirrored else 6) * bands + 8) + bands * bands
+    bands, sides = harmonics.bands, len(harmonics.sides)
+    waves = nodes * ((2 + 2 * sides) * bands + 8) + bands * bands
     return waves, nodes * (_HELD + channels * (1 + sides)) + 2 * channels * bands
 
 

@@ -15,7 +15,7 @@ FINE = (24, 32, 40, 48, 56, 64, 72, 88, 104, 128, 160, 200, 256)
 class Rule:
     """A way to integrate.
 
-    ``project(light, parameters, *, nodes | tolerance, bands, mirrored)`` returns ``Samples``. A rule with fixed nodes
+    ``project(light, parameters, *, nodes | tolerance, harmonics)`` returns ``Samples``. A rule with fixed nodes
     has ``ladder(bands)``, the numbers of nodes to try in turn until two runs agree; an adaptive one has none, and is
     told the tolerance itself.
     """

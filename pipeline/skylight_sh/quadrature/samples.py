@@ -34,6 +34,11 @@ def keep_least(luminance: Array, directions: Array, least: Array, where: Array) 
     """Update the least luminance ``least`` ``(...)`` and its direction ``where`` ``(..., 3)`` in place.
 
     ``luminance`` ``(..., n)`` stands at ``directions``, which broadcast to ``(..., n, 3)``.
+
+    >>> least, where = np.array([np.inf]), np.zeros((1, 3))
+    >>> keep_least(np.array([[3.0, 2.0]]), np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]), least, where)
+    >>> least.tolist(), where.tolist()
+    ([2.0], [[0.0, 0.0, 1.0]])
     """
     place = luminance.argmin(axis=-1)[..., np.newaxis]
     lowest = np.take_along_axis(luminance, place, axis=-1)[..., 0]

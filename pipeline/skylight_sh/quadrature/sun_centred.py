@@ -28,12 +28,19 @@ _RING_SHARE = 0.75
 _WAVE_SHARE = 0.8
 
 
-def project(light: Light, parameters: Parameters, *, nodes: int, bands: int, mirrored: bool) -> Samples:
+def project(light: Light, parameters: Parameters, *, nodes: int, harmonics: sphere.Harmonics) -> Samples:
     """Integrate radiance times ``y_lm`` over the upper hemisphere for ``g`` groups of ``k`` parameter sets.
 
     Every parameter has shape ``(g, k)``, the peak's zenith angle (``light.hints.peak_axis``, radians, 0 where there
     is none) ``(g, 1)``: one set of nodes serves a group. ``nodes`` is the number of Gauss nodes over the arcs.
-    ``mirrored`` samples half the sky and keeps m >= 0. The README's conventions hold.
+    Where the ``harmonics`` are those even in y alone, half the sky is sampled. The README's conventions hold.
+
+    The zonal weights of an overcast sky, (1 + 2 z) / 3:
+
+    >>> from skylight_sh.light.cie_traditional import CieTraditional
+    >>> sky, at = CieTraditional(sky="overcast"), {"sun_zenith": np.array([[0.4]])}
+    >>> project(sky, at, nodes=24, harmonics=sphere.Harmonics.even(2)).weights[0, 0, 0, :2].round(4).tolist()
+    [1.1816, 1.1939]
     """
     axis = light.hints.peak_axis
     groups = next(iter(parameters.values())).shape[0]
@@ -41,28 +48,32 @@ def project(light: Light, parameters: Parameters, *, nodes: int, bands: int, mir
     sets = np.broadcast_shapes(*(values.shape for values in parameters.values()))
     shaped = {name: values[..., np.newaxis] for name, values in parameters.items()}
     least, least_direction = np.full(sets, np.inf), np.zeros((*sets, 3))
-    total = np.zeros((theta.size, sets[1] * len(light.channels), sphere.count(bands, mirrored=mirrored)))
+    total = np.zeros((theta.size, sets[1] * len(light.channels), harmonics.count))
     for g, psi, weight in _pieces(theta, nodes):
         sides = []
-        for side in (1.0,) if mirrored else (1.0, -1.0):
+        for side in harmonics.sides:
             directions = _directions(theta, g, side * psi).reshape(theta.size, 1, -1, 3)
             radiance = light.radiance(directions, shaped)
             keep_least(radiance @ light.luminance_row, directions, least, least_direction)
             # (groups, rings, sets, channels, waves) from (groups, sets, rings times waves, channels).
             parts = radiance.reshape(*sets, *weight.shape[1:], -1) * weight[:, np.newaxis, :, :, np.newaxis]
             sides.append(parts.transpose(0, 2, 1, 4, 3).reshape(*g.shape, -1, psi.shape[2]))
-        accumulate(total, sides, psi, sphere.legendre(np.cos(g), np.sin(g), bands), bands)
-    _, orders = sphere.degrees_orders(bands, mirrored=mirrored)
+        accumulate(total, sides, psi, sphere.legendre(np.cos(g), np.sin(g), harmonics.bands), harmonics)
     # The frame's x axis points up the sky, half a turn about the peak from the turned +x.
-    total *= (-1.0) ** orders
-    weights = sphere.rotate_y(total, theta, bands, mirrored=mirrored).reshape(*sets, len(light.channels), -1)
+    total *= (-1.0) ** harmonics.orders
+    weights = sphere.rotate_y(total, theta, harmonics).reshape(*sets, len(light.channels), -1)
     return Samples(weights, least, least_direction, np.full(sets, np.nan))
 
 
 def half_sky(theta: float, nodes: int) -> tuple[Array, Array]:
-    """Return the nodes of one peak as ``plain`` takes them: directions ``(n, 3)`` and solid angles ``(n,)``.
+    """Return directions ``(n, 3)`` and solid angles ``(n,)`` in sr for a peak ``theta`` radians from the zenith.
 
-    They lie on one side of the peak's azimuth and stand for both: for a mirrored light, whose basis is worth a table.
+    They lie on one side of the peak's azimuth and stand for both: nodes for ``direction_sums.tabulate`` and a light even
+    in y.
+
+    >>> directions, solid_angles = half_sky(1.2, 32)
+    >>> float((solid_angles.sum() / (2 * np.pi)).round(6))
+    1.0
     """
     peak = np.full(1, theta)
     pieces = _pieces(peak, nodes)

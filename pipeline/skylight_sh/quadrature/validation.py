@@ -58,6 +58,9 @@ def vet(light: Light, ranges: Ranges) -> None:
     them, its radiance has to be an array of floating-point numbers ``(..., channels)``, finite, nowhere clearly negative,
     black for no set, within what single precision holds, the same at every call to the last bit, the same but for rounding
     however many are asked for at once, and has to leave its arguments and its earlier results alone.
+
+    >>> from skylight_sh.light.preetham import Preetham
+    >>> vet(Preetham(), {"sun_zenith": (0.0, 1.5), "turbidity": (2.5, 6.0)})
     """
     try:
         told = validation.check(light)

@@ -9,21 +9,35 @@ from skylight_sh.light.protocol import Light, Parameters
 from skylight_sh.quadrature import direction_sums
 from skylight_sh.quadrature.rule import Rule, steps
 from skylight_sh.quadrature.samples import Samples
+from skylight_sh.sphere import Harmonics
 
 Array = NDArray[np.float64]
 
 
 def directions(n: int) -> tuple[Array, Array]:
-    """Return Gauss-Legendre in the zenith's cosine (n nodes) times 2n uniform azimuths."""
+    """Return Gauss-Legendre in the zenith's cosine (n nodes) times 2n uniform azimuths.
+
+    >>> where, solid_angles = directions(4)
+    >>> where.shape, float((solid_angles.sum() / (2 * np.pi)).round(6))
+    ((32, 3), 1.0)
+    """
     x, w = np.polynomial.legendre.leggauss(n)
     z = np.repeat((x + 1) / 2, 2 * n)
     phi = np.tile((np.arange(2 * n) + 0.5) * np.pi / n, n)
     return direction_sums.towards(z, phi), np.repeat(w / 2, 2 * n) * np.pi / n
 
 
-def project(light: Light, parameters: Parameters, *, nodes: int, bands: int, mirrored: bool) -> Samples:
-    """Integrate by ``directions(nodes)``; shapes as ``sun_centred.project``."""
-    return direction_sums.project(light, parameters, directions(nodes), bands, mirrored=mirrored)
+def project(light: Light, parameters: Parameters, *, nodes: int, harmonics: Harmonics) -> Samples:
+    """Integrate by ``directions(nodes)``; shapes as ``sun_centred.project``.
+
+    The zonal weights of an overcast sky, (1 + 2 z) / 3:
+
+    >>> from skylight_sh.light.cie_traditional import CieTraditional
+    >>> sky, at = CieTraditional(sky="overcast"), {"sun_zenith": np.array([[0.4]])}
+    >>> project(sky, at, nodes=8, harmonics=Harmonics.even(2)).weights[0, 0, 0, :2].round(4).tolist()
+    [1.1816, 1.1939]
+    """
+    return direction_sums.project(light, parameters, directions(nodes), harmonics)
 
 
 RULE = Rule("Gauss about the zenith", project, steps(16, 32, 64, 128, 256, 512, 1024))

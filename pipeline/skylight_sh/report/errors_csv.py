@@ -7,7 +7,6 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 import pandas as pd
 
-from skylight_sh import sphere
 from skylight_sh.report.report_data import Entry, Material
 from skylight_sh.table.size import bytes_of, coefficients_of
 
@@ -55,7 +54,7 @@ def _csv(made: pd.DataFrame) -> bytes:
 def _sweep(material: Material) -> pd.DataFrame:
     sweep = material.sweep
     terms = np.prod(sweep.degrees + 1, axis=1)
-    outputs = np.array([sphere.count(n, mirrored=material.mirrored) for n in range(1, material.bands + 1)])
+    outputs = np.array([material.harmonics.first(n).count for n in range(1, material.harmonics.bands + 1)])
     rows = []
     for c, convention in enumerate(material.conventions):
         combination, channel, bands = (i.ravel() for i in np.indices(sweep.rel_l2.shape))

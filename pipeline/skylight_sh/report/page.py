@@ -67,7 +67,9 @@ def _facts(material: Material) -> dict[str, str]:
         "Seen by selection": f"{sets} grid sets that share no interior node with the fit grid, and {random} random sets",
         "Errors": f"measured on {material.held_out} held-out sets that nothing else reads: {truth['held_out']} scrambled "
         f"Sobol sets, {truth['held_out_edge']} on each edge of the ranges, and the corners",
-        "Stored orders": "m >= 0 (the light is mirror-symmetric about the sun's azimuth)" if material.mirrored else "all",
+        "Stored orders": "m >= 0 (the light is mirror-symmetric about the sun's azimuth)"
+        if material.harmonics.mirrored
+        else "all",
         "Condition number of the fit": f"{material.condition:.3g}",
         "Least luminance over all sets": f"{material.least.min():.5g} cd/m2",
     }

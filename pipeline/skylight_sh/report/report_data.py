@@ -87,8 +87,7 @@ class Material:
     grid: tuple[Array, ...]
     least: Array
     held_out: int
-    bands: int
-    mirrored: bool
+    harmonics: sphere.Harmonics
     condition: float
     cases: Mapping[str, Array]
     sample: Callable[[Array], Array]
@@ -109,12 +108,11 @@ class Material:
     @cached_property
     def ringing(self) -> ringing.Study | None:
         """How the light's expansions ring over its whole domain; measured once, when it is asked for."""
-        return ringing.study(self.light, self.axes, self.best.table, self.bands, self.full)
+        return ringing.study(self.light, self.axes, self.best.table, self.harmonics.bands, self.full)
 
     def full(self, values: Array) -> Array:
         """Return a set's true weights ``(channels, N*N)``, all orders among them."""
-        weights = self.sample(values)
-        return np.asarray(sphere.unmirror(weights, self.bands) if self.mirrored else weights, dtype=np.float64)
+        return np.asarray(self.harmonics.unmirror(self.sample(values)), dtype=np.float64)
 
     def describe(self, values: Array, first: int = 0) -> str:
         """Return a parameter set in words, angles in degrees, from the axis ``first`` on."""

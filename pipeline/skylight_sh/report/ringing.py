@@ -131,7 +131,7 @@ def csv(study: Study, names: Sequence[str]) -> bytes:
 
 def windows(bands: int) -> dict[str, Array]:
     """Return the fixed windows by name, ``(N*N,)`` each."""
-    degrees, _ = sphere.degrees_orders(bands)
+    degrees = sphere.Harmonics(bands).degrees
     return {
         "no window": np.ones(bands * bands),
         "zonal sinc (eq. 5)": sphere.zonal_sinc(bands),
@@ -144,7 +144,7 @@ def windows(bands: int) -> dict[str, Array]:
 def tried(found: Ringing, ground: int, band: int) -> dict[str, Array]:
     """Return all windows ``(N*N,)`` by name, the least ones of that ground and number of bands (indices) among them."""
     bands = found.bands[band]
-    degrees, _ = sphere.degrees_orders(bands)
+    degrees = sphere.Harmonics(bands).degrees
     least = {name: sphere.laplacian_window(bands, found.smoothing[ground, k, band])[degrees] for k, name in enumerate(_KEPT)}
     return windows(bands) | least
 
@@ -191,7 +191,7 @@ def _least(lit: Array, cut: Array, keep: Literal["radiance", "irradiance"]) -> f
     smoothing = 0.0
     for _ in range(_ROUNDS):
         low = (sphere.scale_degrees(kept, sphere.laplacian_window(bands, smoothing)) @ cut).min(axis=1) / kept[:, 0]
-        needed = float(sphere.smallest_window(lit[low.argmin()], keep))
+        needed = float(sphere.nonnegative_smoothing(lit[low.argmin()], keep))
         if needed <= smoothing:
             break
         smoothing = needed

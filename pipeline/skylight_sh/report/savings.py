@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 
-from skylight_sh import sphere
 from skylight_sh.report.report_data import Material
 from skylight_sh.table.row_layout import layout
 
@@ -16,8 +15,9 @@ def rows(material: Material) -> list[tuple[str, str]]:
     channels, bands = len(light.channels), table.bands
     grid = int(np.prod([nodes.size for nodes in material.grid]))
     found = []
-    if material.mirrored:
-        half, full = sphere.count(bands, mirrored=True), bands * bands
+    harmonics = material.harmonics.first(bands)
+    if harmonics.mirrored:
+        half, full = harmonics.count, bands * bands
         found.append(("orders m < 0, which symmetry makes zero", f"{half} instead of {full} weights a channel"))
     found += [
         (f"{name}, fixed at {value:g}", f"an axis: {grid} verification sets instead of {grid} times its nodes")
@@ -27,7 +27,7 @@ def rows(material: Material) -> list[tuple[str, str]]:
         found.append(("colour", "1 channel instead of 3: a third of the radiance's colours, fits and outputs"))
     if scene["quantity"] == "irradiance":
         kept = [place for place in layout(table.spec, table.bands).places if place]
-        all_ = sphere.count(bands, mirrored=material.mirrored) * channels
+        all_ = harmonics.count * channels
         found.append(("bands l = 3, 5, .., which carry no irradiance", f"{len(kept)} instead of {all_} columns"))
     if scene["azimuth"] is not None:
         found.append(("the sun's azimuth, fixed", "an input, a sine and a cosine a call"))

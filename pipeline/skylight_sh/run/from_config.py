@@ -17,6 +17,7 @@ from skylight_sh.run.config_axes import VARIABLES, axes_of
 from skylight_sh.run.plan import Inputs
 from skylight_sh.runtime import Scale, Specification, Surroundings, Table
 from skylight_sh.scene.fold import Scene, Sun, fold, luminance_scale
+from skylight_sh.sphere import Harmonics
 from skylight_sh.store.dataset import Dataset
 from skylight_sh.table.grid_fit import GridFit
 from skylight_sh.table.prefactor import closed_form, reciprocal
@@ -75,13 +76,13 @@ def surroundings_of(inputs: Inputs) -> dict[int, Surroundings]:
     return {n: Surroundings(*(made[f"{part}/{n}"] for part in PARTS)) for n in bands}
 
 
-def specification_of(config: Config, inputs: Inputs, *, mirrored: bool) -> Specification:
+def specification_of(config: Config, inputs: Inputs, harmonics: Harmonics) -> Specification:
     """Return what all tables of a run's fit have in common: axes, channels, factor, and what the scene folds in."""
     scene = config.scene
     return specification(
         axes_of(config, inputs),
         config.source.channels,
-        mirrored,
+        harmonics.mirrored,
         config.fit.basis,
         scale_of(config, inputs),
         quantity=scene.quantity,

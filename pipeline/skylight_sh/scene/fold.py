@@ -71,20 +71,18 @@ def fold(scene: Scene, weights: Array, degrees: Index, sets: Array) -> Array:
     >>> fold(irradiance, np.ones((1, 3)), np.array([0, 1, 1]), np.array([2.5])).round(4).tolist()
     [[3.1416, 2.0944, 2.0944]]
     """
-    bands = int(degrees.max()) + 1
-    mirrored = degrees.size != bands * bands
+    held = sphere.Harmonics.of_degrees(degrees)
     from_below: Array | float = 0.0
     if scene.sun:
         theta, tau = (scene.parameter(name, sets) for name in (scene.sun.zenith, scene.sun.turbidity))
         colour = scene.sun.radiance(theta, tau)
-        orders = sphere.degrees_orders(bands, mirrored=mirrored)[1]
-        disc = sun_disc.disc(theta, 0.0, bands)[..., np.newaxis, degrees * (degrees + 1) + orders]
+        disc = sun_disc.disc(theta, 0.0, held.bands)[..., np.newaxis, held.flat]
         weights, from_below = weights + colour[..., np.newaxis] * disc, colour * sun_disc.from_below(theta)[..., np.newaxis]
     if scene.ground == "mirror":
-        weights = sphere.mirror_ground(weights, bands, mirrored=mirrored)
+        weights = sphere.mirror_ground(weights, held)
     elif scene.ground != "black":
-        weights = sphere.add_ground(weights, scene.ground, bands, mirrored=mirrored, from_below=from_below)
-    return weights if scene.quantity == "radiance" else weights * sphere.clamped_cosine(bands)[degrees]
+        weights = sphere.add_ground(weights, scene.ground, held, from_below=from_below)
+    return weights if scene.quantity == "radiance" else weights * sphere.clamped_cosine(held.bands)[degrees]
 
 
 def luminance_scale(quantity: Quantity) -> float:
@@ -96,13 +94,10 @@ def luminance_scale(quantity: Quantity) -> float:
     return float(np.pi) if quantity == "irradiance" else 1.0
 
 
-def window(scene: Scene, bands: int, *, mirrored: bool) -> Array:
-    """Return what a table of ``bands`` bands holds its weights multiplied with, ``(count,)``: the zonal window, or ones.
+def window(scene: Scene, harmonics: sphere.Harmonics) -> Array:
+    """Return what a table of ``harmonics`` holds its weights multiplied with, ``(count,)``: the zonal window, or ones.
 
-    >>> window(Scene(axes=("turbidity",), windowed=True), 2, mirrored=True).round(4).tolist()
+    >>> window(Scene(axes=("turbidity",), windowed=True), sphere.Harmonics.even(2)).round(4).tolist()
     [1.0, 0.6366, 1.0]
     """
-    degrees, orders = sphere.degrees_orders(bands, mirrored=mirrored)
-    if not scene.windowed:
-        return np.ones(degrees.size)
-    return np.asarray(sphere.zonal_sinc(bands)[degrees * (degrees + 1) + orders])
+    return sphere.zonal_sinc(harmonics.bands)[harmonics.flat] if scene.windowed else np.ones(harmonics.count)

@@ -1,7 +1,6 @@
 """Spherical harmonics: basis, indices, rotations, windows, convolutions and products. Pure numerics."""
 
 from skylight_sh.sphere._basis import basis, evaluate, legendre, spiral
-from skylight_sh.sphere._change_of_axes import change_axes
 from skylight_sh.sphere._convolution import (
     clamped_cosine,
     convolve,
@@ -11,10 +10,10 @@ from skylight_sh.sphere._convolution import (
     packed_irradiance,
     scale_degrees,
 )
-from skylight_sh.sphere._general_rotation import rotate, rotation_blocks
+from skylight_sh.sphere._general_rotation import change_axes, rotate, rotation_blocks
 from skylight_sh.sphere._ground import add_ground, lower_hemisphere, mirror_ground
-from skylight_sh.sphere._nonnegative import minimum, smallest_window
-from skylight_sh.sphere._orders import bands_of, check_bands, count, degrees_orders, flat_index, unmirror
+from skylight_sh.sphere._nonnegative import minimum, nonnegative_smoothing
+from skylight_sh.sphere._orders import Harmonics, bands_of, check_bands, flat_index
 from skylight_sh.sphere._product import Gaunt, gaunt, multiplication, product
 from skylight_sh.sphere._rotation import rotate_azimuth, rotate_y, rotate_zyz, zyz_matrix
 from skylight_sh.sphere._visibility import cover, horizon
@@ -23,6 +22,7 @@ from skylight_sh.sphere._zonal import aim, cap
 
 __all__ = [
     "Gaunt",
+    "Harmonics",
     "add_ground",
     "aim",
     "bands_of",
@@ -32,9 +32,7 @@ __all__ = [
     "check_bands",
     "clamped_cosine",
     "convolve",
-    "count",
     "cover",
-    "degrees_orders",
     "dot",
     "evaluate",
     "flat_index",
@@ -50,6 +48,7 @@ __all__ = [
     "mirror_ground",
     "multiplication",
     "nonnegative_irradiance",
+    "nonnegative_smoothing",
     "packed_irradiance",
     "product",
     "rotate",
@@ -59,9 +58,7 @@ __all__ = [
     "rotation_blocks",
     "scale_degrees",
     "sinc_window",
-    "smallest_window",
     "spiral",
-    "unmirror",
     "zonal_sinc",
     "zyz_matrix",
 ]

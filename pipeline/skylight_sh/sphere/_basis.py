@@ -10,7 +10,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from skylight_sh.sphere._orders import bands_of, check_bands, degrees_orders
+from skylight_sh.sphere._orders import Harmonics, as_harmonics, bands_of, check_bands
 
 Array = NDArray[np.float64]
 
@@ -26,6 +26,9 @@ def legendre(cos_theta: Array, sin_theta: Array, bands: int) -> Array:
 
     The recurrence in l at fixed m (Holmes and Featherstone 2002, eq. 11) is forward stable; see
     ``tests/test_sphere.py`` for its error against mpmath.
+
+    >>> legendre(np.array(1.0), np.array(0.0), 2).round(4).tolist()
+    [0.2821, 0.4886, 0.0]
     """
     check_bands(bands)
     cos_theta, sin_theta = np.broadcast_arrays(cos_theta, sin_theta)
@@ -47,31 +50,38 @@ def legendre(cos_theta: Array, sin_theta: Array, bands: int) -> Array:
     return rows
 
 
-def basis(directions: Array, bands: int, *, mirrored: bool = False) -> Array:
+def basis(directions: Array, harmonics: Harmonics | int) -> Array:
     """Evaluate the SH basis at unit vectors.
 
-    ``directions`` has shape ``(..., 3)``. Returns ``(..., N*N)`` in flat order ``l*(l+1)+m``, or
-    ``(..., N(N+1)/2)`` with the orders m >= 0 alone where ``mirrored``. Raises ValueError where a length is not 1 to a
-    millionth.
+    ``directions`` has shape ``(..., 3)``. Returns ``(..., count)``, the ``harmonics`` in flat order; a number of bands
+    stands for all N*N. Raises ValueError where a length is not 1 to a millionth.
+
+    >>> basis(np.array([0.0, 0.0, 1.0]), 2).round(4).tolist()
+    [0.2821, 0.0, 0.4886, 0.0]
+    >>> basis(np.array([0.0, 0.0, 1.0]), Harmonics.even(2)).round(4).tolist()
+    [0.2821, 0.4886, 0.0]
     """
-    check_bands(bands)
+    held = as_harmonics(harmonics)
     x, y, z = np.moveaxis(np.asarray(directions, dtype=np.float64), -1, 0)
     square = x * x + y * y + z * z
     if not np.all(np.abs(square - 1.0) < _UNIT):
         length = float(np.sqrt(square[~(np.abs(square - 1.0) < _UNIT)].flat[0]))
         raise ValueError(f"Invalid direction of length {length!r}. Should be a unit vector: divide it by its length.")
-    factors = legendre(z, np.hypot(x, y), bands)
+    factors = legendre(z, np.hypot(x, y), held.bands)
     phi = np.arctan2(y, x)
-    degrees, orders = degrees_orders(bands, mirrored=mirrored)
-    out = np.empty((*x.shape, degrees.size))
-    waves = {m: np.cos(m * phi) if m >= 0 else np.sin(-m * phi) for m in {int(m) for m in orders}}
-    for k, (l, m) in enumerate(zip(degrees.tolist(), orders.tolist(), strict=True)):
-        out[..., k] = factors[_row(l, abs(m))] * waves[m]
+    out = np.empty((*x.shape, held.count))
+    waves = {m: np.cos(m * phi) if m >= 0 else np.sin(-m * phi) for m in set(held.orders.tolist())}
+    for k, (row, m) in enumerate(zip(held.triangle.tolist(), held.orders.tolist(), strict=True)):
+        out[..., k] = factors[row] * waves[m]
     return out
 
 
 def spiral(count: int) -> Array:
-    """Return ``count`` unit vectors ``(count, 3)``, spread evenly over the sphere by the golden angle."""
+    """Return ``count`` unit vectors ``(count, 3)``, spread evenly over the sphere by the golden angle.
+
+    >>> spiral(4)[:, 2].tolist()
+    [0.75, 0.25, -0.25, -0.75]
+    """
     if count < 1:
         raise ValueError(f"Invalid count {count!r}. Should be at least 1.")
     k = np.arange(count) + 0.5
@@ -81,7 +91,11 @@ def spiral(count: int) -> Array:
 
 
 def evaluate(weights: NDArray[np.floating], directions: Array) -> Array:
-    """Sum an SH expansion: ``weights`` of shape ``(..., N*N)`` at ``directions`` of shape ``(n, 3)`` -> ``(..., n)``."""
+    """Sum an SH expansion: ``weights`` of shape ``(..., N*N)`` at ``directions`` of shape ``(n, 3)`` -> ``(..., n)``.
+
+    >>> evaluate(np.array([np.sqrt(4 * np.pi)]), np.array([[0.0, 0.0, 1.0], [1.0, 0.0, 0.0]])).round(6).tolist()
+    [1.0, 1.0]
+    """
     return np.asarray(weights @ basis(directions, bands_of(weights)).T)
 
 

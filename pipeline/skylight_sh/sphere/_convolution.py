@@ -7,7 +7,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from skylight_sh.sphere._orders import bands_of, check_bands, degrees_orders
+from skylight_sh.sphere._orders import Harmonics, bands_of, check_bands
 
 Array = NDArray[np.float64]
 
@@ -17,6 +17,9 @@ def clamped_cosine(bands: int) -> Array:
 
     pi, 2 pi / 3, pi / 4, 0, -pi / 24, ..: for l = 0, 1 and even l; other odd l carry nothing (Ramamoorthi and Hanrahan
     2001, eq. 8). The irradiance towards n is the sum of ``A_l c_lm y_lm(n)``, not divided by pi.
+
+    >>> clamped_cosine(4).round(4).tolist()
+    [3.1416, 2.0944, 0.7854, 0.0]
     """
     check_bands(bands)
     out = np.zeros(bands)
@@ -34,13 +37,15 @@ def scale_degrees(weights: NDArray[np.floating], factors: ArrayLike) -> Array:
     """Multiply every degree of ``weights (..., N*N)`` by its factor, ``factors (..., N)``: windows and kernels.
 
     Leading axes broadcast. Raises ValueError where the number of factors is not N.
+
+    >>> scale_degrees(np.ones(4), [1.0, 0.5]).tolist()
+    [1.0, 0.5, 0.5, 0.5]
     """
     bands = bands_of(weights)
     known = np.asarray(factors, dtype=np.float64)
     if known.ndim == 0 or known.shape[-1] != bands:
         raise ValueError(f"Invalid factors of shape {known.shape}. Should be one a degree, shape (..., {bands}).")
-    degrees, _ = degrees_orders(bands)
-    return np.asarray(weights * known[..., degrees], dtype=np.float64)
+    return np.asarray(weights * known[..., Harmonics(bands).degrees], dtype=np.float64)
 
 
 def convolve(weights: NDArray[np.floating], kernel: ArrayLike) -> Array:
@@ -48,13 +53,22 @@ def convolve(weights: NDArray[np.floating], kernel: ArrayLike) -> Array:
 
     The result at n is the integral of the function times the kernel turned from +z to n: ``sqrt(4 pi / (2l+1)) h_l0
     c_lm`` (Funk and Hecke; Ramamoorthi and Hanrahan 2001, eq. 5). Raises ValueError as ``scale_degrees`` does.
+
+    A kernel that is all at one point changes nothing:
+
+    >>> convolve(np.array([2.0, 0.0, 1.0, 0.0]), np.sqrt([1 / (4 * np.pi), 3 / (4 * np.pi)])).round(6).tolist()
+    [2.0, 0.0, 1.0, 0.0]
     """
     known = np.asarray(kernel, dtype=np.float64)
     return scale_degrees(weights, known * np.sqrt(4 * np.pi / (2 * np.arange(known.shape[-1] if known.ndim else 1) + 1)))
 
 
 def irradiance(weights: NDArray[np.floating]) -> Array:
-    """Return irradiance weights of radiance weights, both ``(..., N*N)``; not divided by pi. See ``clamped_cosine``."""
+    """Return irradiance weights of radiance weights, both ``(..., N*N)``; not divided by pi. See ``clamped_cosine``.
+
+    >>> irradiance(np.array([1.0, 0.0, 1.0, 0.0])).round(4).tolist()
+    [3.1416, 0.0, 2.0944, 0.0]
+    """
     return scale_degrees(weights, clamped_cosine(bands_of(weights)))
 
 
@@ -65,6 +79,9 @@ def packed_irradiance(weights: NDArray[np.floating]) -> Array:
     packed[1] + z packed[2] + x packed[3]`` is the irradiance towards (x, y, z) within two bands, not divided by pi: kernel,
     basis constants and all, 1/4 and 1/2 times the radiance's integrals against 1 and (y, z, x) (O'Donnell 2018,
     "Precomputed Global Illumination in Frostbite"). Raises ValueError where N < 2.
+
+    >>> packed_irradiance(np.array([1.0, 0.0, 1.0, 0.0])).round(4).tolist()
+    [0.8862, 0.0, 1.0233, 0.0]
     """
     if bands_of(weights) < 2:
         raise ValueError("Invalid number of bands 1. Should be at least 2 for the packed irradiance.")
@@ -83,6 +100,12 @@ def nonnegative_irradiance(packed: NDArray[np.floating], normals: Array) -> Arra
     Data"). Its mean over the normals is R0 exactly, to first order in r it is the linear sum, and a light from one
     direction (r = 1) peaks at its true 4 R0. No radiance has r > 1; rounding and ringing may, and are taken as 1. A
     constant that is not positive has no such reconstruction: 0 is returned there.
+
+    The linear sum would be -0.1 towards -z:
+
+    >>> up_and_down = np.array([[0.0, 0.0, 1.0], [0.0, 0.0, -1.0]])
+    >>> nonnegative_irradiance(np.array([1.0, 0.0, 1.1, 0.0]), up_and_down).round(4).tolist()
+    [2.4903, 0.2903]
     """
     known = np.asarray(packed, dtype=np.float64)
     if known.ndim == 0 or known.shape[-1] != 4:
@@ -104,6 +127,9 @@ def dot(one: NDArray[np.floating], other: NDArray[np.floating]) -> Array:
     """Integrate the product of two expansions over the sphere: ``(..., N1*N1)`` and ``(..., N2*N2)`` -> ``(...)``.
 
     The basis is orthonormal, so bands that only one of them has add nothing (Green 2003, eq. 7). Leading axes broadcast.
+
+    >>> float(dot(np.ones(4), np.ones(9)))
+    4.0
     """
     size = min(bands_of(one), bands_of(other)) ** 2
     return np.asarray(np.einsum("...i,...i->...", one[..., :size], other[..., :size]), dtype=np.float64)

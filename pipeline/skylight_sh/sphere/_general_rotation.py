@@ -1,4 +1,4 @@
-"""General rotations: matrices acting on SH weights under any orthogonal 3x3 matrix, degree by degree."""
+"""General rotations and changes of axes: SH weights under any orthogonal 3x3 matrix, degree by degree."""
 
 from __future__ import annotations
 
@@ -30,8 +30,14 @@ def rotate(weights: NDArray[np.floating], matrix: ArrayLike) -> Array:
 
     Raises ValueError where the weights fill no bands, or where a matrix is not orthogonal to 1e-6 or reflects; within
     that, the nearest orthogonal matrix is meant. Source: see ``rotation_blocks``.
+
+    A quarter turn about z takes x to y:
+
+    >>> turned = rotate(np.array([0.0, 0.0, 0.0, 1.0]), [[0, -1, 0], [1, 0, 0], [0, 0, 1]])
+    >>> np.abs(turned).round(6).tolist()
+    [0.0, 1.0, 0.0, 0.0]
     """
-    proper = nearest_orthogonal(matrix)
+    proper = _nearest_orthogonal(matrix)
     determinant = np.linalg.det(proper)
     if np.any(determinant < 0):
         worst = np.asarray(matrix, dtype=np.float64)[determinant < 0].reshape(-1, 3, 3)[0]
@@ -39,7 +45,27 @@ def rotate(weights: NDArray[np.floating], matrix: ArrayLike) -> Array:
             f"Invalid rotation {worst.tolist()} of determinant -1. Should be +1: negate a column, or call change_axes, "
             "which reflects."
         )
-    return apply_orthogonal(weights, proper)
+    return _act(weights, proper)
+
+
+def change_axes(weights: NDArray[np.floating], matrix: ArrayLike) -> NDArray[np.float64]:
+    """Return the SH weights of the same environment seen in other axes.
+
+    ``matrix`` is orthogonal, 3x3, and takes a direction in the old axes to the same direction in the new ones; its
+    columns are the old axes' places in the new. ``weights`` has shape ``(..., N*N)``, any N; so has the result, for which
+    ``evaluate(result, directions @ matrix.T)`` equals ``evaluate(weights, directions)``. Matrices ``(..., 3, 3)``
+    broadcast against the leading axes.
+
+    Numerically the same as ``rotate``, reflections included. A mere permutation of axes mixes the weights of a
+    degree from l = 2 on. Raises ValueError where the matrix is not orthogonal.
+
+    An engine whose y is up, and -z our y, sees in y what we see in z:
+
+    >>> seen = change_axes(np.array([0.0, 0.0, 1.0, 0.0]), [[1, 0, 0], [0, 0, 1], [0, -1, 0]])
+    >>> np.abs(seen).round(6).tolist()
+    [0.0, 1.0, 0.0, 0.0]
+    """
+    return _act(weights, _nearest_orthogonal(matrix))
 
 
 def rotation_blocks(matrix: ArrayLike, bands: int) -> list[Array]:
@@ -51,12 +77,15 @@ def rotation_blocks(matrix: ArrayLike, bands: int) -> list[Array]:
     The recurrence of Ivanic and Ruedenberg (J. Phys. Chem. 1996, 100, 6342, tables 1 and 2) with their corrections
     (J. Phys. Chem. A 1998, 102, 9099): degree l is the highest part of the product of degrees 1 and l - 1. It needs no
     angles, so no rotation is special to it. Raises ValueError as ``rotate`` does, but for reflections.
+
+    >>> [block.shape for block in rotation_blocks(np.eye(3), 3)]
+    [(1, 1), (3, 3), (5, 5)]
     """
     check_bands(bands)
-    return list(_blocks(nearest_orthogonal(matrix), bands))
+    return list(_blocks(_nearest_orthogonal(matrix), bands))
 
 
-def nearest_orthogonal(matrix: ArrayLike) -> Array:
+def _nearest_orthogonal(matrix: ArrayLike) -> Array:
     """Return the orthogonal matrices nearest to ``matrix``, both ``(..., 3, 3)``.
 
     Raises ValueError where one is further from orthogonal than 1e-6, or not 3x3.
@@ -78,8 +107,8 @@ def nearest_orthogonal(matrix: ArrayLike) -> Array:
     return _polish(_polish(found))
 
 
-def apply_orthogonal(weights: NDArray[np.floating], matrix: Array) -> Array:
-    """Act on ``weights (..., N*N)`` with orthogonal ``matrix (..., 3, 3)`` as ``nearest_orthogonal`` returned it."""
+def _act(weights: NDArray[np.floating], matrix: Array) -> Array:
+    """Act on ``weights (..., N*N)`` with orthogonal ``matrix (..., 3, 3)`` as ``_nearest_orthogonal`` returned it."""
     bands = bands_of(weights)
     source = weights.astype(np.float64)
     out = np.empty((*np.broadcast_shapes(source.shape[:-1], matrix.shape[:-2]), bands * bands))

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from skylight_sh.sphere._basis import basis, spiral
 from skylight_sh.sphere._convolution import clamped_cosine, scale_degrees
-from skylight_sh.sphere._orders import Index, bands_of, check_finite, degrees_orders
+from skylight_sh.sphere._orders import Harmonics, Index, bands_of, check_finite
 from skylight_sh.sphere._windows import laplacian_window
 
 Array = NDArray[np.float64]
@@ -22,7 +22,7 @@ _ROUNDING = 1e-13
 _ROUNDS = 20
 
 
-def smallest_window(weights: NDArray[np.floating], keep: Literal["radiance", "irradiance"] = "radiance") -> Array:
+def nonnegative_smoothing(weights: NDArray[np.floating], keep: Literal["radiance", "irradiance"] = "radiance") -> Array:
     """Return the least smoothing whose ``laplacian_window`` leaves an expansion nowhere negative.
 
     ``weights`` are radiance weights ``(..., N*N)``; returns ``(...)``, 0 where nothing is negative as it is. ``keep``
@@ -34,6 +34,11 @@ def smallest_window(weights: NDArray[np.floating], keep: Literal["radiance", "ir
     minimum asks for. The minimum is found on a grid, then to rounding by Newton steps on its local minima; these join the
     grid and the smoothing is bracketed again, until no new minimum is negative. Raises ValueError where the mean is
     negative, or a weight is not finite: no window helps.
+
+    >>> float(nonnegative_smoothing(np.array([1.0, 0.0, 1.0, 0.0])).round(4))
+    0.183
+    >>> float(nonnegative_smoothing(np.array([1.0, 0.0, 0.5, 0.0])))
+    0.0
     """
     bands = bands_of(weights)
     if keep not in {"radiance", "irradiance"}:
@@ -55,6 +60,10 @@ def minimum(weights: NDArray[np.floating]) -> tuple[Array, Array]:
 
     A grid finer than the highest degree, and Newton steps from each of its local minima. Raises ValueError for a weight
     that is not finite.
+
+    >>> value, direction = minimum(np.array([1.0, 0.0, 1.0, 0.0]))
+    >>> value.round(4).tolist(), np.abs(direction).round(4).tolist()
+    (-0.2065, [0.0, 0.0, 1.0])
     """
     bands = bands_of(weights)
     check_finite("weight", weights)
@@ -67,7 +76,7 @@ def minimum(weights: NDArray[np.floating]) -> tuple[Array, Array]:
 
 
 def _least(weights: Array, bands: int) -> float:
-    degrees, _ = degrees_orders(bands)
+    degrees = Harmonics(bands).degrees
     where, _, grid = _grid(bands)
     spare = _ROUNDING * np.abs(weights).sum()
     parts = _parts(weights, grid, bands)

@@ -7,7 +7,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from skylight_sh.sphere._orders import Index, bands_of, check_finite, degrees_orders
+from skylight_sh.sphere._orders import Harmonics, Index, bands_of, check_finite
 
 Array = NDArray[np.float64]
 
@@ -18,8 +18,12 @@ def rotate_azimuth(weights: NDArray[np.floating], azimuth: NDArray[np.floating] 
     ``weights`` has shape ``(..., N*N)`` and ``azimuth`` broadcasts against ``(...)``. Exact but for
     rounding; the result keeps the dtype of ``weights``, whole numbers becoming float64. Raises ValueError for an azimuth
     that is not finite.
+
+    >>> np.abs(rotate_azimuth(np.array([0.0, 0.0, 0.0, 1.0]), np.pi / 2)).round(6).tolist()
+    [0.0, 1.0, 0.0, 0.0]
     """
-    degrees, orders = degrees_orders(bands_of(weights))
+    held = Harmonics(bands_of(weights))
+    degrees, orders = held.degrees, held.orders
     if not np.issubdtype(weights.dtype, np.floating):
         weights = weights.astype(np.float64)
     turn = np.asarray(azimuth, dtype=np.float64)
@@ -31,15 +35,18 @@ def rotate_azimuth(weights: NDArray[np.floating], azimuth: NDArray[np.floating] 
     return np.asarray(weights * cosine - weights[..., partner] * sine)
 
 
-def rotate_y(weights: Array, angles: Array, bands: int, *, mirrored: bool) -> Array:
+def rotate_y(weights: Array, angles: Array, harmonics: Harmonics) -> Array:
     """Turn environments about +y, from +z towards +x, each by its own angle in radians.
 
-    ``angles`` has shape ``(g,)`` and ``weights`` ``(g, ..., count)``, count as in ``degrees_orders``. About y the
+    ``angles`` has shape ``(g,)`` and ``weights`` of the ``harmonics`` ``(g, ..., count)``; so has the result. About y the
     orders m >= 0 and m < 0 do not mix, so a function even in y stays so.
+
+    >>> np.abs(rotate_y(np.array([[0.0, 1.0, 0.0]]), np.array([np.pi / 2]), Harmonics.even(2))).round(6).tolist()
+    [[0.0, 0.0, 1.0]]
     """
     angles = np.asarray(angles, dtype=np.float64)
     out = np.empty(weights.shape)
-    for l, first, index in _blocks(bands, mirrored):
+    for l, first, index in _blocks(harmonics):
         turn = _turn_y(l, first, angles)
         part = weights[..., index].reshape(angles.size, -1, index.size)
         out[..., index] = (part @ turn.swapaxes(1, 2)).reshape(*weights.shape[:-1], index.size)
@@ -52,22 +59,31 @@ def rotate_zyz(weights: NDArray[np.floating], first: ArrayLike, middle: ArrayLik
     ``weights`` has shape ``(..., N*N)`` and the angles broadcast against ``(...)``; so has the result, float64. Exact
     but for rounding, and the same as ``rotate(weights, zyz_matrix(first, middle, last))``. In axes that turn along, the
     angles read alpha = last, beta = middle, gamma = first (Green 2003, "Rotating Spherical Harmonics").
+
+    From z to x, and on to y:
+
+    >>> np.abs(rotate_zyz(np.array([0.0, 0.0, 1.0, 0.0]), 0.0, np.pi / 2, np.pi / 2)).round(6).tolist()
+    [0.0, 1.0, 0.0, 0.0]
     """
-    bands = bands_of(weights)
+    held = Harmonics(bands_of(weights))
     lead = np.broadcast_shapes(weights.shape[:-1], np.shape(first), np.shape(middle), np.shape(last))
-    source = np.broadcast_to(weights.astype(np.float64), (*lead, bands * bands))
+    source = np.broadcast_to(weights.astype(np.float64), (*lead, held.count))
     turned = np.asarray(rotate_azimuth(source, np.asarray(first, dtype=np.float64)), dtype=np.float64)
     angles = np.asarray(middle, dtype=np.float64)
     if angles.ndim == 0:
-        turned = rotate_y(turned[np.newaxis], angles[np.newaxis], bands, mirrored=False)[0]
+        turned = rotate_y(turned[np.newaxis], angles[np.newaxis], held)[0]
     else:
         every = np.broadcast_to(angles, lead).reshape(-1)
-        turned = rotate_y(turned.reshape(every.size, -1), every, bands, mirrored=False).reshape(*lead, -1)
+        turned = rotate_y(turned.reshape(every.size, -1), every, held).reshape(*lead, -1)
     return np.asarray(rotate_azimuth(turned, np.asarray(last, dtype=np.float64)), dtype=np.float64)
 
 
 def zyz_matrix(first: ArrayLike, middle: ArrayLike, last: ArrayLike) -> Array:
-    """Return the rotation matrices ``(..., 3, 3)`` of ``rotate_zyz``; the angles, in radians, broadcast to ``(...)``."""
+    """Return the rotation matrices ``(..., 3, 3)`` of ``rotate_zyz``; the angles, in radians, broadcast to ``(...)``.
+
+    >>> np.abs(zyz_matrix(0.0, np.pi / 2, np.pi / 2) @ [0.0, 0.0, 1.0]).round(6).tolist()
+    [0.0, 1.0, 0.0]
+    """
     a, b, c = np.broadcast_arrays(*(np.asarray(angle, dtype=np.float64) for angle in (first, middle, last)))
     return _about_z(c) @ _about_y(b) @ _about_z(a)
 
@@ -83,15 +99,14 @@ def _about_y(angle: Array) -> Array:
 
 
 @lru_cache(maxsize=32)
-def _blocks(bands: int, mirrored: bool) -> list[tuple[int, int, Index]]:
+def _blocks(harmonics: Harmonics) -> list[tuple[int, int, Index]]:
     """Degree, least |m| and the places of |m| = least..l in flat order, for all orders that mix."""
-    signs = (1,) if mirrored else (1, -1)
+    degrees, orders = harmonics.degrees, harmonics.orders
     found = []
-    for l in range(bands):
-        for first, sign in enumerate(signs):
-            m = np.arange(first, l + 1)
-            if m.size:
-                found.append((l, first, l * (l + 1) // 2 + m if mirrored else l * (l + 1) + sign * m))
+    for l in range(harmonics.bands):
+        cosines, sines = (np.flatnonzero((degrees == l) & part) for part in (orders >= 0, orders < 0))
+        # Orders fall from -1 to -l, as |m| rises.
+        found += [(l, first, index) for first, index in ((0, cosines), (1, sines[::-1])) if index.size]
     return found
 
 

@@ -24,6 +24,9 @@ def horizon(elevations: ArrayLike, bands: int) -> Array:
     joined by straight lines; one number is a level horizon. Each piece is integrated by Gauss and Legendre in azimuth and
     in polar angle from the zenith to the skyline, with nodes for the highest band: to rounding. ``multiplication`` of the
     mask is the transfer matrix of Green 2003, eq. 8. Raises ValueError for an elevation that is not finite or out of range.
+
+    >>> horizon(0.0, 2).round(4).tolist()
+    [1.7725, 0.0, 1.535, 0.0]
     """
     check_bands(bands)
     corners = np.atleast_1d(np.asarray(elevations, dtype=np.float64))
@@ -57,6 +60,12 @@ def cover(
     ``weights`` ``(..., N*N)`` and ``opacity`` ``(F*F,)`` are expansions, the opacity's of values in [0, 1]; ``colour``,
     the clouds' own radiance, broadcasts to ``(...)``. Returns ``bands`` bands; N if left out. An occluder is a black cloud.
     Raises ValueError for an opacity or a colour that is not finite.
+
+    Clouds of radiance 3 that hide half of an even sky of radiance 1, all over:
+
+    >>> constant = np.array([np.sqrt(4 * np.pi)])
+    >>> (cover(constant, 0.5 * constant, 3.0) / constant).round(6).tolist()
+    [2.0]
     """
     check_finite("opacity", opacity)
     check_finite("colour", np.asarray(colour, dtype=np.float64))

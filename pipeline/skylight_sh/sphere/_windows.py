@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from skylight_sh.sphere._orders import check_bands, degrees_orders
+from skylight_sh.sphere._orders import Harmonics, check_bands
 
 Array = NDArray[np.float64]
 
@@ -15,9 +15,12 @@ def zonal_sinc(bands: int) -> Array:
 
     Shape ``(N*N,)`` in flat order; every order m != 0 keeps its weight. The paper's sinc is
     ``sin(x)/x``: a box filter in the zenith angle, which is where the sky jumps.
+
+    >>> zonal_sinc(2).round(4).tolist()
+    [1.0, 1.0, 0.6366, 1.0]
     """
-    degrees, orders = degrees_orders(bands)
-    return np.where(orders == 0, np.sinc(degrees / bands), 1.0)
+    every = Harmonics(bands)
+    return np.where(every.orders == 0, np.sinc(every.degrees / bands), 1.0)
 
 
 def sinc_window(bands: int, *, cutoff: float | None = None, power: float = 1.0) -> Array:
@@ -26,6 +29,9 @@ def sinc_window(bands: int, *, cutoff: float | None = None, power: float = 1.0) 
     ``cutoff`` is the degree where it falls to 0, N if left out, and everything from there on stays 0; ``power``, at least
     0, is how many times it blurs (Sloan 2008, "Stupid Spherical Harmonics Tricks", windowing). Raises ValueError for a
     cutoff or power out of range.
+
+    >>> sinc_window(3).round(4).tolist()
+    [1.0, 0.827, 0.4135]
     """
     if not 0 <= power < np.inf:
         raise ValueError(f"Invalid power {power!r}. Should be a finite number of at least 0.")
@@ -38,6 +44,9 @@ def lanczos_window(bands: int, *, cutoff: float | None = None) -> Array:
     """Return Lanczos' sigma factors ``sin(x) / x``, x = pi l / cutoff, ``(N,)``: ``sinc_window`` of power 1.
 
     As Sloan 2008 has it under this name.
+
+    >>> lanczos_window(2).round(4).tolist()
+    [1.0, 0.6366]
     """
     return sinc_window(bands, cutoff=cutoff)
 
@@ -46,6 +55,9 @@ def hann_window(bands: int, *, cutoff: float | None = None) -> Array:
     """Return the Hann window ``(1 + cos(pi l / cutoff)) / 2``, 0 from the cutoff on, ``(N,)`` (Sloan 2008).
 
     Raises ValueError for a cutoff out of range; it is N if left out.
+
+    >>> hann_window(3).round(4).tolist()
+    [1.0, 0.75, 0.25]
     """
     place = _places(bands, cutoff)
     return np.where(place < 1, np.cos(0.5 * np.pi * np.minimum(place, 1.0)) ** 2, 0.0)
@@ -56,6 +68,9 @@ def laplacian_window(bands: int, smoothing: ArrayLike) -> Array:
 
     The minimiser of the squared error plus ``smoothing`` times the squared Laplacian (Sloan 2008, windowing): 0 keeps
     everything, infinity the mean alone. Raises ValueError where the smoothing is negative or NaN.
+
+    >>> laplacian_window(3, 0.1).round(4).tolist()
+    [1.0, 0.7143, 0.2174]
     """
     check_bands(bands)
     known = np.asarray(smoothing, dtype=np.float64)

@@ -22,6 +22,9 @@ def cap(half_angle: ArrayLike, bands: int) -> Array:
     ``synth_light``) is lost for a small cap: its terms are near 1, and it is of the order of the angle squared. By
     Legendre's equation it is ``sqrt((2l+1) / (4 pi)) pi sin(a)**2 r_l`` with ``r_l = P_l'(cos a) / (l (l+1) / 2)``, which
     starts at 1 and leaves it by steps that a recurrence in ``1 - cos a`` gives without cancellation.
+
+    >>> cap(np.pi / 2, 2).round(4).tolist()
+    [1.7725, 1.535]
     """
     check_bands(bands)
     angle = np.asarray(half_angle, dtype=np.float64)
@@ -49,6 +52,9 @@ def aim(zonal: ArrayLike, directions: Array) -> Array:
 
     ``directions`` are unit vectors ``(..., 3)``; leading axes broadcast. ``sqrt(4 pi / (2l+1)) y_lm(direction)`` times the
     weight (Mezieres and Paulin, eq. 13): a rotation without a matrix, the convolution of a Dirac light.
+
+    >>> np.abs(aim(cap(np.pi / 2, 2), np.array([1.0, 0.0, 0.0]))).round(4).tolist()
+    [1.7725, 0.0, 0.0, 1.535]
     """
     known = np.asarray(zonal, dtype=np.float64)
     return convolve(basis(directions, known.shape[-1]), known)

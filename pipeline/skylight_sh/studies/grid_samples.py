@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from skylight_sh import sphere
 from skylight_sh.config.schema import Config
 from skylight_sh.fit.axis import Axis, of_table
 from skylight_sh.fit.errors import Reference
@@ -17,6 +16,7 @@ from skylight_sh.quadrature.registry import suited
 from skylight_sh.run.config_axes import fit_nodes, is_searched
 from skylight_sh.run.from_config import reference, specification_of
 from skylight_sh.runtime import Specification, Table
+from skylight_sh.sphere import Harmonics
 
 Array = NDArray[np.float64]
 
@@ -53,21 +53,20 @@ def sample(config: Config, bands: int, random: int = 400, like: Table | None = N
     half = grid.reshape(*(n.size for n in nodes), *grid.shape[1:])
     corners = parameter_points.grid([np.array(r) for r in ranges])
     sets = np.concatenate([corners, parameter_points.random(ranges, random, 77)])
-    full = np.asarray(sphere.unmirror(half, bands), dtype=np.float64)
+    full = np.asarray(_harmonics(config).unmirror(half), dtype=np.float64)
     return Samples(config, spec, axes, nodes, full, half, measured_at(config, sets))
 
 
 def _specification(config: Config, like: Table | None) -> Specification:
     if like is not None and is_searched(config):
         return Specification(like.axes, like.channels, True, like.spec.basis, like.spec.scale)
-    return specification_of(config, {}, mirrored=True)
+    return specification_of(config, {}, _harmonics(config))
 
 
 def measured_at(config: Config, sets: Array) -> Reference:
     """Sample parameter sets ``(n, axes)`` as something to measure errors against."""
     radiance, least = _radiance(config, sets)
-    degrees, _ = sphere.degrees_orders(config.truth.bands, mirrored=True)
-    return reference(config, sets, radiance, degrees, least)
+    return reference(config, sets, radiance, _harmonics(config).degrees, least)
 
 
 def light_alone(raw: dict[str, Any]) -> dict[str, Any]:
@@ -76,14 +75,18 @@ def light_alone(raw: dict[str, Any]) -> dict[str, Any]:
     return {**raw, "scene": kept}
 
 
+def _harmonics(config: Config) -> Harmonics:
+    return Harmonics.even(config.truth.bands)
+
+
 def _radiance(config: Config, sets: Array) -> tuple[Array, Array]:
-    bands, names = config.truth.bands, tuple(axis.name for axis in config.axes)
-    weights = np.empty((len(sets), len(config.source.channels), sphere.count(bands, mirrored=True)))
+    harmonics, names = _harmonics(config), tuple(axis.name for axis in config.axes)
+    weights = np.empty((len(sets), len(config.source.channels), harmonics.count))
     least = np.empty(len(sets))
     for block in parameter_points.chunks(sets, sampling.peak_of(config.source, names), 64):
-        rule = suited(config.source, bands)
-        nodes = max(_NODES, bands + 12)
-        job = sampling.Job(config.source, names, sets[block], nodes, bands, True, rule, config.truth.tolerance)
+        rule = suited(config.source, harmonics.bands)
+        nodes = max(_NODES, harmonics.bands + 12)
+        job = sampling.Job(config.source, names, sets[block], nodes, harmonics, rule, config.truth.tolerance)
         sampled = sampling.sample_block(job)
         weights[block], least[block] = sampled.weights, sampled.least
     return weights, least

@@ -13,6 +13,7 @@ from skylight_sh.fit import peaks
 from skylight_sh.fit.errors import Reference, by_band, e_means
 from skylight_sh.runtime import Table
 from skylight_sh.table import validation
+from skylight_sh.table.row_layout import stored
 
 Array = NDArray[np.float64]
 Floats = NDArray[np.floating]
@@ -67,7 +68,7 @@ def least_reconstructed(table: Table, parameters: Array, luminance_row: Array) -
     are in it, with the suns of the sets spread over all azimuths.
     """
     weights: Floats = table.evaluate(parameters).astype(np.float64)
-    mirrored = table.spec.mirrored
+    harmonics = stored(table.spec, table.bands)
     if table.surroundings:
         azimuths = (
             np.linspace(0.0, 2.0 * np.pi, len(parameters), endpoint=False)
@@ -75,8 +76,8 @@ def least_reconstructed(table: Table, parameters: Array, luminance_row: Array) -
             else table.spec.azimuth
         )
         turned = sphere.rotate_azimuth(table.whole(weights), np.reshape(azimuths, (-1, 1)))
-        weights, mirrored = table.surroundings.apply(turned, table.bands), False
-    basis = sphere.basis(sphere.spiral(2000), table.bands, mirrored=mirrored)
+        weights, harmonics = table.surroundings.apply(turned, table.bands), sphere.Harmonics(table.bands)
+    basis = sphere.basis(sphere.spiral(2000), harmonics)
     luminance = np.einsum("ncw,c->nw", weights, luminance_row) @ basis.T
     return float((luminance.min(axis=1) / luminance.max(axis=1)).min())
 

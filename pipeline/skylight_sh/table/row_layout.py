@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from skylight_sh import sphere
 from skylight_sh.runtime import Specification
+from skylight_sh.sphere import Harmonics
 
 Place = tuple[int, int, int]
 _FOUR = 4
@@ -26,11 +26,16 @@ class Layout:
     places: tuple[Place | None, ...]
     widths: tuple[int, ...]
 
-    def columns(self, bands: int, channels: int, *, mirrored: bool) -> NDArray[np.int64]:
+    def columns(self, harmonics: Harmonics, channels: int) -> NDArray[np.int64]:
         """Return each stored weight's column, ``(channels, count)``; -1 where its degree carries nothing."""
         found = {place: column for column, place in enumerate(self.places) if place}
-        degrees, orders = (index.tolist() for index in sphere.degrees_orders(bands, mirrored=mirrored))
+        degrees, orders = harmonics.degrees.tolist(), harmonics.orders.tolist()
         return np.array([[found.get((l, c, m), -1) for l, m in zip(degrees, orders, strict=True)] for c in range(channels)])
+
+
+def stored(spec: Specification, bands: int) -> Harmonics:
+    """Return which SH weights a table of ``bands`` bands stores."""
+    return Harmonics(bands, spec.mirrored)
 
 
 def carried(quantity: str, bands: int) -> tuple[int, ...]:

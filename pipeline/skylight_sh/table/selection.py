@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from skylight_sh import UserError, sphere
+from skylight_sh import UserError
 from skylight_sh.fit.axis import Axis
 from skylight_sh.fit.errors import Reference, l_min
 from skylight_sh.fit.minimax import Sampled, even, metric
@@ -20,11 +20,13 @@ from skylight_sh.fit.sweep import Worst
 from skylight_sh.fit.term_selection import fewest
 from skylight_sh.reproducible import significant, to_grid
 from skylight_sh.runtime import Specification, Surroundings, Table
+from skylight_sh.sphere import Harmonics
 from skylight_sh.table import packed
 from skylight_sh.table import table as tables
 from skylight_sh.table.errors import headline
 from skylight_sh.table.grid_fit import factor_at
 from skylight_sh.table.request import Request
+from skylight_sh.table.row_layout import stored
 from skylight_sh.table.size import bytes_of
 
 Array = NDArray[np.float64]
@@ -60,7 +62,7 @@ class SearchData:
     ``axes`` are the specification's as the fit has them, ``surroundings`` those of each number of bands; ``shape`` is that
     of the fit grid, ``checked_shape`` that of the grid at the start of ``reference``; ``degrees`` the largest, an axis;
     ``swept`` ``(combinations, axes)`` the degrees of the sweep and ``swept_error`` ``(combinations, channels, bands)`` their
-    E_mean. ``window(bands)`` is what a table of so many bands multiplies its weights with, ``(count,)``.
+    E_mean. ``window`` is what a table of these harmonics multiplies its weights with, ``(count,)``.
     """
 
     spec: Specification
@@ -75,11 +77,11 @@ class SearchData:
     reference: Reference
     swept: Index
     swept_error: Array
-    window: Callable[[int], Array]
+    window: Callable[[Harmonics], Array]
 
     def reference_of(self, bands: int) -> Reference:
         """Return what a table of ``bands`` bands is measured against."""
-        return self.reference.windowed(bands, self.window(bands))
+        return self.reference.windowed(bands, self.window(stored(self.spec, bands)))
 
     def enough(self, bands: int, budget: float) -> tuple[int, ...]:
         """Return the fewest degrees whose whole fit stays well within ``budget``, by the sweep; all where none does."""
@@ -109,7 +111,7 @@ def search_data(
     checked_shape: tuple[int, ...],
     degrees: tuple[int, ...],
     sweep: Worst,
-    window: Callable[[int], Array],
+    window: Callable[[Harmonics], Array],
 ) -> SearchData:
     """Gather what the searches need: the fit ``grid`` and its ``shape``, the rest as ``SearchData`` has it.
 
@@ -156,8 +158,8 @@ def given(request: Request, coefficients: Array, data: SearchData) -> Table:
     """Return the table of the degrees that ``request`` gives, cut out of the fit's ``coefficients``, rounded."""
     degrees = request.degrees or ()
     cut = coefficients[(slice(None), slice(None), *(slice(d + 1) for d in degrees))]
-    count = sphere.count(request.bands, mirrored=data.spec.mirrored)
-    cut = cut[:, :count] * data.window(request.bands).reshape(-1, *(1,) * (cut.ndim - 2))
+    harmonics = stored(data.spec, request.bands)
+    cut = cut[:, : harmonics.count] * data.window(harmonics).reshape(-1, *(1,) * (cut.ndim - 2))
     return tables.whole(data.spec, _gridded(data, cut, request.dtype), request.bands, request.dtype)
 
 
@@ -237,10 +239,10 @@ def _within(request: Request, size: int, data: SearchData) -> tuple[Table, list[
 
 def _sampled(data: SearchData, sets: Array, weights: Array, least: Array, shape: tuple[int, ...], bands: int) -> Sampled:
     spec = data.spec
-    count = sphere.count(bands, mirrored=spec.mirrored)
+    harmonics = stored(spec, bands)
     scale = factor_at(spec.scale, sets) / least
     basis = np.asarray(tables.products(spec.basis, data.axes, sets, data.degrees), dtype=np.float64)
-    truth = weights[..., :count] * data.window(bands)
+    truth = weights[..., : harmonics.count] * data.window(harmonics)
     return Sampled(basis * scale[:, np.newaxis], truth / least[:, np.newaxis, np.newaxis], shape)
 
 
@@ -259,7 +261,7 @@ def _fast(
     bands, dtype, first = request.bands, request.dtype, data.degrees[0] + 1
     best, tried = fewest(*_both(data, bands), data.shape, first, aim, known)
     rest = tuple(d + 1 for d in data.degrees[1:])
-    empty = np.zeros((len(data.spec.channels), sphere.count(bands, mirrored=data.spec.mirrored), first, *rest))
+    empty = np.zeros((len(data.spec.channels), stored(data.spec, bands).count, first, *rest))
 
     def table(lengths: Index, dense: Array) -> Table:
         shaped = _gridded(data, dense.reshape(empty.shape), dtype)
@@ -271,7 +273,7 @@ def _fast(
 
 def _packed(request: Request, aim: float, data: SearchData) -> tuple[Table | None, list[Point]]:
     bands, first = request.bands, data.degrees[0] + 1
-    degrees = sphere.degrees_orders(bands, mirrored=data.spec.mirrored)[0]
+    degrees = stored(data.spec, bands).degrees
 
     def cost(numbers: Index) -> int:
         return packed.cost(numbers.swapaxes(0, 1), degrees)

@@ -7,13 +7,12 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from skylight_sh import sphere
 from skylight_sh.fit import tensor_product
 from skylight_sh.fit.axis import Axis
 from skylight_sh.formula.bases import BASES
 from skylight_sh.runtime import Program, Scale, Specification, Surroundings, Table, Twilight
 from skylight_sh.table import packed, rows
-from skylight_sh.table.row_layout import layout
+from skylight_sh.table.row_layout import layout, stored
 
 Array = NDArray[np.float64]
 Floats = NDArray[np.floating]
@@ -79,11 +78,11 @@ def fast(
     """
     degrees = rows.used_degrees(lengths.ravel(), [d - 1 for d in dense.shape[2:]])
     cut = tuple(slice(d + 1) for d in degrees)
-    count = sphere.count(bands, mirrored=spec.mirrored)
-    part = dense[(slice(None), slice(count), *cut)]
+    harmonics = stored(spec, bands)
+    part = dense[(slice(None), slice(harmonics.count), *cut)]
     kept = lengths[cut[1:]].ravel() if len(cut) > 1 else lengths.ravel()
     placed = layout(spec, bands)
-    columns = placed.columns(bands, len(spec.channels), mirrored=spec.mirrored)
+    columns = placed.columns(harmonics, len(spec.channels))
     flat = part.reshape(*part.shape[:3], -1)
     body = rows.arrange(flat, kept, columns, len(placed.places), dtype)
     return Table(spec, bands, _terms(spec, degrees), body, surroundings)
@@ -116,7 +115,7 @@ def small(
     shape = tuple(d + 1 for d in degrees)
     cut = numbers.reshape(*numbers.shape[:2], *shape)[(slice(None), slice(None), *(slice(d + 1) for d in used))]
     flat = cut.reshape(*cut.shape[:3], -1)
-    body = packed.pack(flat, sphere.degrees_orders(bands, mirrored=spec.mirrored)[0], step)
+    body = packed.pack(flat, stored(spec, bands).degrees, step)
     return Table(spec, bands, _terms(spec, used), body, surroundings)
 
 

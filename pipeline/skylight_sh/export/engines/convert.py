@@ -64,10 +64,10 @@ def convert(weights: NDArray[np.floating], profile: Profile, *, axes: str | None
         raise ValueError(f"{profile.title} takes red, green and blue, but the table has {weights.shape[-2]} channels.")
     out = sphere.change_axes(weights, parse_axes(profile.axes if axes is None else axes))
     out = np.where(np.abs(out) < _ROUNDING * np.abs(out).max(axis=(-2, -1), keepdims=True), 0.0, out)
-    degrees, orders = sphere.degrees_orders(bands)
+    every = sphere.Harmonics(bands)
     if profile.condon_shortley:
-        out = np.where((orders % 2 == 1) & (out != 0.0), -out, out)
-    out = exposure * _factor(profile.quantity, degrees) * out
+        out = np.where((every.orders % 2 == 1) & (out != 0.0), -out, out)
+    out = exposure * _factor(profile.quantity, every.degrees) * out
     return np.repeat(out, 3, axis=-2) if out.shape[-2] == 1 else out
 
 

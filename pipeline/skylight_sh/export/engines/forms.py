@@ -21,10 +21,10 @@ def text(numbers: Array, profile: Profile) -> str:
     """Return one sky, ``(3, N*N)``, as the engine's text: JSON, or for lines the text of Filament's cmgen."""
     if profile.layout != "lines":
         return json.dumps(structure(numbers, profile))
-    degrees, orders = sphere.degrees_orders(sphere.bands_of(numbers))
+    every = sphere.Harmonics(sphere.bands_of(numbers))
     return "\n".join(
         f"({', '.join(f'{value:18.9g}' for value in triple)}); // L{l}{m}, irradiance, pre-scaled base"
-        for triple, l, m in zip(numbers.T, degrees.tolist(), orders.tolist(), strict=True)
+        for triple, l, m in zip(numbers.T, every.degrees.tolist(), every.orders.tolist(), strict=True)
     )
 
 

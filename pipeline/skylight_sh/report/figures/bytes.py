@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 from matplotlib.figure import Figure
 
-from skylight_sh import sphere
 from skylight_sh.report import style
 from skylight_sh.report.figures.picture import Picture
 from skylight_sh.report.report_data import Material
@@ -26,7 +25,7 @@ def draw(material: Material) -> Figure:
     figure = style.figure(10.5, 5)
     axes = figure.subplots()
     for i, bands in enumerate(sorted({entry.table.bands for entry in material.winners}, reverse=True)):
-        outputs = sphere.count(bands, mirrored=material.mirrored) * len(material.light.channels)
+        outputs = material.harmonics.first(bands).count * len(material.light.channels)
         size = 4 * outputs * np.prod(material.sweep.degrees + 1, axis=1)
         error = material.sweep.e_mean[0, :, :, bands - 1].max(axis=1)
         axes.loglog(size, error, ".", color=style.SERIES[i], alpha=0.35, label=f"sweep, {bands} bands")

@@ -14,6 +14,7 @@ from skylight_sh.run.config_axes import axes_of, fit_nodes, searched
 from skylight_sh.run.executors import Advance
 from skylight_sh.run.from_config import scale_of, scene_of, surrounded
 from skylight_sh.run.plan import Inputs, Step
+from skylight_sh.run.stages.truth import harmonics_of
 from skylight_sh.scene.fold import fold
 from skylight_sh.store.dataset import Dataset, Variable
 from skylight_sh.table import grid_fit, npz
@@ -34,7 +35,7 @@ def steps(config: Config) -> list[Step]:
 
 def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
     grid = inputs["truth/grid"]
-    mirrored = bool(grid.attrs["mirrored"])
+    harmonics = harmonics_of(config, grid)
     axes = axes_of(config, inputs)
     nodes = fit_nodes(config, axes)
     sets = parameter_points.grid(nodes).reshape(*grid["weights"].shape[:-2], -1)
@@ -53,9 +54,9 @@ def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
         kind = "identity" if section.scaled else "raw"
         plain = tuple(Axis(axis.name, axis.low, axis.high, axis.unit, kind) for axis in axes)
         shown = grid_fit.fit(samples, plain, nodes, section.degrees, section.basis, section.solver, None)
-        spec = specification(plain, config.source.channels, mirrored, section.basis)
+        spec = specification(plain, config.source.channels, harmonics.mirrored, section.basis)
         table = whole(spec, shown.dense, config.truth.bands, section.dtype)
         start = f"references/{section.name}"
         found[f"{start}/npz"] = Variable(("byte",), np.frombuffer(npz.write(table), dtype=np.uint8))
         found[f"{start}/condition"] = Variable((), np.array(shown.condition))
-    return Dataset(found, {"mirrored": mirrored})
+    return Dataset(found, {"mirrored": harmonics.mirrored})

@@ -19,6 +19,7 @@ from skylight_sh.scene.fold import window
 from skylight_sh.store.dataset import Dataset, Variable
 from skylight_sh.table.errors import least_reconstructed, measure
 from skylight_sh.table.grid_fit import swept
+from skylight_sh.table.row_layout import stored
 from skylight_sh.table.selection import BudgetError
 
 HELD_OUT = "truth/held-out"
@@ -56,7 +57,7 @@ def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
         if source == "fit":
             found |= _measured(name, table, reference, seen)
         else:
-            factors = window(scene, table.bands, mirrored=table.spec.mirrored)
+            factors = window(scene, stored(table.spec, table.bands))
             behind, behind_seen = (part.windowed(table.bands, factors) for part in (reference, seen))
             found |= _measured(name, table, behind, behind_seen)
             some = reference.parameters[:: max(1, len(reference.parameters) // _LEAST_SETS)]

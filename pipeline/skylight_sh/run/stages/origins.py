@@ -8,7 +8,6 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from skylight_sh import sphere
 from skylight_sh.config.schema import Config
 from skylight_sh.fit import least_squares, paper_scheme
 from skylight_sh.fit.errors import mean_luminance
@@ -17,6 +16,7 @@ from skylight_sh.run.config_axes import axes_of, fit_nodes, searched
 from skylight_sh.run.executors import Advance, map_tasks
 from skylight_sh.run.from_config import reference_of, selected_on
 from skylight_sh.run.plan import Inputs, Step
+from skylight_sh.run.stages.truth import harmonics_of
 from skylight_sh.store.dataset import Dataset, Variable
 
 Array = NDArray[np.float64]
@@ -70,7 +70,8 @@ def _scheme(config: Config, inputs: Inputs) -> paper_scheme.Scheme:
     nodes, grid = fit_nodes(config, axes_of(config, inputs)), inputs["truth/grid"]
     bands = min(paper_scheme.BANDS, config.truth.bands)
     weights = grid["weights"].reshape(-1, *grid["weights"].shape[-2:])
-    exact = weights[..., : sphere.count(bands, mirrored=bool(grid.attrs["mirrored"]))]
+    stored = harmonics_of(config, grid).first(bands)
+    exact = weights[..., : stored.count]
     reference = reference_of(config, inputs, selected_on(config))
     least = grid["least_luminance"].ravel()
     if "per-set" not in reference.l_min:
@@ -79,7 +80,7 @@ def _scheme(config: Config, inputs: Inputs) -> paper_scheme.Scheme:
         nodes=nodes,
         degrees=paper_scheme.degrees_within([n.size - 1 for n in nodes]),
         bands=bands,
-        exact=np.asarray(sphere.unmirror(exact, bands)) if grid.attrs["mirrored"] else exact,
+        exact=np.asarray(stored.unmirror(exact)),
         least=least,
         reference=reference,
     )

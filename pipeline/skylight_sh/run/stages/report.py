@@ -20,6 +20,7 @@ from skylight_sh.run.from_config import read_table, scene_of, surrounded, surrou
 from skylight_sh.run.plan import Inputs, Step
 from skylight_sh.run.provenance import drawing, settings
 from skylight_sh.run.stages import origins
+from skylight_sh.run.stages.truth import harmonics_of
 from skylight_sh.scene.fold import fold
 from skylight_sh.store.dataset import Dataset
 
@@ -61,13 +62,11 @@ def _material(config: Config, inputs: Inputs) -> Material:
     fit, select, measured, grid, rule = (
         inputs[name] for name in ("fit", "select", "measure", "truth/verification", "truth/rule")
     )
-    names = tuple(axis.name for axis in config.axes)
+    names, harmonics = tuple(axis.name for axis in config.axes), harmonics_of(config, rule)
 
     def sample(values: Array) -> Array:
-        nodes, mirrored = int(rule.attrs["nodes"]), bool(rule.attrs["mirrored"])
-        rule_, tolerance = str(rule.attrs["rule"]), config.truth.tolerance
-        block, bands = values.reshape(1, 1, -1), config.truth.bands
-        job = sampling.Job(config.source, names, block, nodes, bands, mirrored, rule_, tolerance)
+        nodes, rule_, tolerance = int(rule.attrs["nodes"]), str(rule.attrs["rule"]), config.truth.tolerance
+        job = sampling.Job(config.source, names, values.reshape(1, 1, -1), nodes, harmonics, rule_, tolerance)
         weights = np.asarray(sampling.project_block(job).weights[0, 0])
         return fold(scene_of(config), weights, grid["degree"], values)
 
@@ -89,8 +88,7 @@ def _material(config: Config, inputs: Inputs) -> Material:
         grid=tuple(grid[name] for name in names),
         least=grid["least_luminance"],
         held_out=int(measured.attrs["held_out"]),
-        bands=config.truth.bands,
-        mirrored=bool(rule.attrs["mirrored"]),
+        harmonics=harmonics,
         condition=float(fit["condition"]),
         cases={case.title: np.array([case.at[name] for name in names]) for case in config.report.cases},
         sample=sample,

@@ -24,6 +24,7 @@ from skylight_sh.run.from_config import (
     surroundings_of,
 )
 from skylight_sh.run.plan import Inputs, Step
+from skylight_sh.run.stages.truth import harmonics_of
 from skylight_sh.scene.fold import window
 from skylight_sh.store.dataset import Dataset, Variable
 from skylight_sh.table import npz, selection
@@ -68,7 +69,7 @@ def _call(job: Callable[[], list[Selected]]) -> list[Selected]:
 
 def _gather(config: Config, inputs: Inputs) -> SearchData:
     grid = inputs["truth/grid"]
-    spec, axes = specification_of(config, inputs, mirrored=bool(grid.attrs["mirrored"])), axes_of(config, inputs)
+    spec, axes = specification_of(config, inputs, harmonics_of(config, grid)), axes_of(config, inputs)
     nodes = fit_nodes(config, axes)
     checked = reference_of(config, inputs, selected_on(config))
     radiance = grid["weights"].reshape(-1, *grid["weights"].shape[-2:])
@@ -83,5 +84,5 @@ def _gather(config: Config, inputs: Inputs) -> SearchData:
         checked_shape=inputs["truth/verification"]["least_luminance"].shape,
         degrees=tuple(axis.degrees[1] for axis in config.axes),
         sweep=swept(fit_of(config, inputs), checked.some(_SWEPT_EACH), degree_ranges(config), bands),
-        window=partial(window, scene_of(config), mirrored=spec.mirrored),
+        window=partial(window, scene_of(config)),
     )

@@ -9,7 +9,6 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from skylight_sh import sphere
 from skylight_sh.config.schema import Config
 from skylight_sh.fit.axis import Axis
 from skylight_sh.quadrature import convergence, parameter_points, sampling, validation
@@ -18,6 +17,7 @@ from skylight_sh.quadrature.samples import Samples
 from skylight_sh.run.config_axes import axes_of, fit_nodes, given_axes, searched, verification_nodes
 from skylight_sh.run.executors import Advance, map_tasks
 from skylight_sh.run.plan import Inputs, Step
+from skylight_sh.sphere import Harmonics
 from skylight_sh.store.dataset import Dataset, Variable
 
 Array = NDArray[np.float64]
@@ -66,12 +66,15 @@ def _make_rule(config: Config, _: Inputs, __: Advance) -> Dataset:
     validation.vet(light, ranges)
     # A claim is spot-checked; a light that claims nothing is looked at closely.
     symmetric = convergence.is_mirrored(light, ranges, samples=512 if light.hints.mirrored else 20_000)
-    mirrored = symmetric and truth.orders == "auto"
+    harmonics = Harmonics(truth.bands, symmetric and truth.orders == "auto")
     rule = suited(light, truth.bands) if truth.rule == "auto" else truth.rule
-    nodes, estimate = convergence.choose_nodes(
-        light, ranges, rule=rule, bands=truth.bands, mirrored=mirrored, tolerance=truth.tolerance
-    )
-    return Dataset({}, {"rule": rule, "nodes": nodes, "estimate": estimate, "mirrored": mirrored})
+    nodes, estimate = convergence.choose_nodes(light, ranges, rule=rule, harmonics=harmonics, tolerance=truth.tolerance)
+    return Dataset({}, {"rule": rule, "nodes": nodes, "estimate": estimate, "mirrored": harmonics.mirrored})
+
+
+def harmonics_of(config: Config, artifact: Dataset) -> Harmonics:
+    """Return which SH weights a step of the truth, ``artifact``, has sampled, or its rule asks for."""
+    return Harmonics(config.truth.bands, bool(artifact.attrs["mirrored"]))
 
 
 def spacing_of(config: Config) -> list[tuple[object, ...]]:
@@ -118,16 +121,15 @@ def _make_list(config: Config, sets: Array, name: str, inputs: Inputs, advance: 
 def _sample(config: Config, sets: Array, inputs: Inputs, advance: Advance) -> tuple[Samples, Dataset]:
     """Sample parameter sets ``(n, axes)``, in tasks; the samples' shapes start with ``(n,)``."""
     rule, light = inputs["truth/rule"], config.source
-    nodes, mirrored, name = int(rule.attrs["nodes"]), bool(rule.attrs["mirrored"]), str(rule.attrs["rule"])
+    nodes, name, harmonics = int(rule.attrs["nodes"]), str(rule.attrs["rule"]), harmonics_of(config, rule)
     names = tuple(axis.name for axis in config.axes)
     blocks = parameter_points.chunks(sets, sampling.peak_of(light, names), _SETS_PER_TASK)
-    bands, tolerance = config.truth.bands, config.truth.tolerance
-    jobs = [sampling.Job(light, names, sets[block], nodes, bands, mirrored, name, tolerance) for block in blocks]
+    tolerance = config.truth.tolerance
+    jobs = [sampling.Job(light, names, sets[block], nodes, harmonics, name, tolerance) for block in blocks]
     results = map_tasks(
         sampling.sample_block, jobs, executor=config.run.executor, workers=config.run.workers, advance=advance
     )
-    count = sphere.count(bands, mirrored=mirrored)
-    shape = (len(sets), len(light.channels), count)
+    shape = (len(sets), len(light.channels), harmonics.count)
     whole = Samples(np.empty(shape), np.empty(len(sets)), np.empty((len(sets), 3)), np.empty(len(sets)))
     for block, part in zip(blocks, results, strict=True):
         whole.weights[block], whole.least[block], whole.estimate[block] = part.weights, part.least, part.estimate
@@ -143,12 +145,12 @@ def _dataset(
     rule: Dataset,
     name: str,
 ) -> Dataset:
-    degrees, orders = sphere.degrees_orders(config.truth.bands, mirrored=bool(rule.attrs["mirrored"]))
+    harmonics = harmonics_of(config, rule)
     variables = coordinates | {
         "channel": Variable(("channel",), np.array(config.source.channels)),
-        "weight": Variable(("weight",), degrees * (degrees + 1) + orders, {"long_name": "flat index l*(l+1)+m"}),
-        "degree": Variable(("weight",), degrees, {"long_name": "degree l"}),
-        "order": Variable(("weight",), orders, {"long_name": "order m"}),
+        "weight": Variable(("weight",), harmonics.flat, {"long_name": "flat index l*(l+1)+m"}),
+        "degree": Variable(("weight",), harmonics.degrees, {"long_name": "degree l"}),
+        "order": Variable(("weight",), harmonics.orders, {"long_name": "order m"}),
         "weights": Variable(
             (*dims, "channel", "weight"),
             samples.weights.reshape(*shape, *samples.weights.shape[1:]),

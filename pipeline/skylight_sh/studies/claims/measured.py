@@ -152,5 +152,6 @@ def rounded(value: Any) -> Any:
 
 def _expansion(light: Preetham, theta: float, tau: float, bands: int) -> Array:
     """Return true weights ``(channels, N*N)`` of one sky."""
-    job = sampling.Job(light, _NAMES, np.array([[[theta, tau]]]), _NODES, bands, True, "sun-centred")
-    return np.asarray(sphere.unmirror(sampling.project_block(job).weights[0, 0], bands), dtype=np.float64)
+    held = sphere.Harmonics.even(bands)
+    job = sampling.Job(light, _NAMES, np.array([[[theta, tau]]]), _NODES, held, "sun-centred")
+    return np.asarray(held.unmirror(sampling.project_block(job).weights[0, 0]), dtype=np.float64)

@@ -94,8 +94,9 @@ def _expansion(config: Config, parameters: dict[str, float], azimuth: float, ban
     """Return the weights ``(channels, N*N)`` of the sky alone."""
     names = tuple(axis.name for axis in config.axes)
     values = np.array([[[parameters[name] for name in names]]])
-    job = sampling.Job(config.source, names, values, _NODES, bands, True, "sun-centred", config.truth.tolerance)
-    weights = sphere.unmirror(sampling.project_block(job).weights[0, 0], bands)
+    held = sphere.Harmonics.even(bands)
+    job = sampling.Job(config.source, names, values, _NODES, held, "sun-centred", config.truth.tolerance)
+    weights = held.unmirror(sampling.project_block(job).weights[0, 0])
     return np.asarray(sphere.rotate_azimuth(weights, np.array(azimuth)), dtype=np.float64)
 
 

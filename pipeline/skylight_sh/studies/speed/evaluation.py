@@ -184,8 +184,8 @@ def _lookups(samples: Samples) -> dict[str, Candidate]:
 def _error(samples: Samples, candidate: Candidate, place: Path) -> float:
     inputs = np.insert(samples.reference.parameters, 1, 0.0, axis=1).astype(np.float32)
     got = compiled.weights(candidate.header, inputs, place, ["-O2"])
-    count = sphere.count(candidate.bands, mirrored=True)
-    truth = sphere.unmirror(samples.reference.weights[..., :count], candidate.bands)
+    held = sphere.Harmonics.even(candidate.bands)
+    truth = held.unmirror(samples.reference.weights[..., : held.count])
     return e_mean(got - truth, samples.reference.headline)
 
 

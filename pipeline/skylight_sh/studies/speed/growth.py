@@ -19,6 +19,7 @@ from skylight_sh.quadrature import convergence, sampling
 from skylight_sh.quadrature import parameter_points as parameter_sets
 from skylight_sh.quadrature.registry import suited
 from skylight_sh.run.executors import map_tasks
+from skylight_sh.sphere import Harmonics
 from skylight_sh.studies.page import Row, Section
 from skylight_sh.studies.timing import exponent
 
@@ -89,7 +90,7 @@ def _jobs(light: Any, ranges: dict[str, tuple[float, float]], sets: int, bands: 
     drawn = parameter_sets.grid([np.linspace(*r, n) for r, n in zip(ranges.values(), counts, strict=True)])[:sets]
     names, rule = tuple(ranges), suited(light, bands)
     blocks = parameter_sets.chunks(drawn, sampling.peak_of(light, names), 64)
-    return [sampling.Job(light, names, drawn[block], nodes, bands, True, rule, _TOLERANCE) for block in blocks]
+    return [sampling.Job(light, names, drawn[block], nodes, Harmonics.even(bands), rule, _TOLERANCE) for block in blocks]
 
 
 def _run(jobs: Sequence[sampling.Job], workers: int) -> float:
@@ -109,12 +110,13 @@ def _sample_sets(light: Any, ranges: dict[str, tuple[float, float]], sets: int) 
 def _sample_bands(light: Any, ranges: dict[str, tuple[float, float]], bands: int) -> dict[str, float]:
     rule = suited(light, bands)
     middle = {name: (r[0] + 0.01 * (r[1] - r[0]), r[0] + 0.99 * (r[1] - r[0])) for name, r in ranges.items()}
-    nodes, estimate = convergence.choose_nodes(light, middle, rule=rule, bands=bands, mirrored=True, tolerance=_TOLERANCE)
+    held = Harmonics.even(bands)
+    nodes, estimate = convergence.choose_nodes(light, middle, rule=rule, harmonics=held, tolerance=_TOLERANCE)
     names = tuple(ranges)
     rest = [np.linspace(*r, 16) for r in list(ranges.values())[1:]]
     first = [0.76 * ranges[names[0]][1]]
     values = np.stack([np.full(16, first[0]), *rest], axis=-1)[np.newaxis]
-    job = sampling.Job(light, names, values, nodes, bands, True, rule, _TOLERANCE)
+    job = sampling.Job(light, names, values, nodes, held, rule, _TOLERANCE)
     sampling.project_block(job)
     before = _peak()
     times = []

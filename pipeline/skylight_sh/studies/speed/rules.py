@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-_BANDS = 7
+_HELD = sphere.Harmonics.even(7)
 _FINEST = 160
 # The two comparisons that are asked for: a rule, the error it is met at, and which rule meets it.
 TEXT = (
@@ -41,7 +41,7 @@ def section(config: Config, repeats: int) -> Section:
     calls: dict[str, Callable[[], Array]] = {}
     samples: dict[str, int] = {}
     for name, nodes in _tables(config, where):
-        table = direction_sums.tabulate(*nodes, _BANDS, mirrored=True)
+        table = direction_sums.tabulate(*nodes, _HELD)
         calls[name] = partial(direction_sums.project_one, config.source, where, nodes[0], table)
         samples[name] = len(nodes[0])
     for tolerance in (1e-3, 1e-6, 1e-9):
@@ -76,7 +76,7 @@ def _tables(config: Config, where: dict[str, float]) -> Iterator[tuple[str, tupl
     for n in (12, 15, 20, 26, 32, 44, 64, 88):
         yield f"sun-centred, {n}", sun_centred.half_sky(theta, n)
     for n in (22, 32, 44, 60, 88, 112):
-        yield f"rings, {n}", rings.half_sky(theta, n, _BANDS)
+        yield f"rings, {n}", rings.half_sky(theta, n, _HELD.bands)
 
 
 def _named(where: dict[str, float]) -> dict[str, Array]:
@@ -84,13 +84,13 @@ def _named(where: dict[str, float]) -> dict[str, Array]:
 
 
 def _centred(config: Config, where: dict[str, float], nodes: int) -> Array:
-    got = sun_centred.project(config.source, _named(where), nodes=nodes, bands=_BANDS, mirrored=True).weights[0, 0]
-    return np.asarray(got[..., : sphere.count(_BANDS, mirrored=True)])
+    got = sun_centred.project(config.source, _named(where), nodes=nodes, harmonics=_HELD).weights[0, 0]
+    return np.asarray(got)
 
 
 def _adaptive(config: Config, where: dict[str, float], tolerance: float) -> Array:
     light = BlackBox(config.light)
-    got = adaptive.project(light, _named(where), tolerance=tolerance, bands=_BANDS, mirrored=True)
+    got = adaptive.project(light, _named(where), tolerance=tolerance, harmonics=_HELD)
     return np.asarray(got.weights[0, 0])
 
 

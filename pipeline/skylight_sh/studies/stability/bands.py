@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 _BANDS = 32
+_HELD = sphere.Harmonics.even(_BANDS)
 _SETS = 12
 _NODES = 96
 TEXT = (
@@ -55,13 +56,9 @@ def section(config: Config, like: Table) -> Section:
 def _apart(config: Config, sets: np.ndarray) -> np.ndarray:
     """Return the largest difference of both rules over the first 1, 2, .. bands, ``(bands,)``."""
     named = {axis.name: sets[:, i, np.newaxis] for i, axis in enumerate(config.axes)}
-    one, other = (
-        rule.project(config.source, named, nodes=_NODES, bands=_BANDS, mirrored=True).weights
-        for rule in (rings, sun_centred)
-    )
+    one, other = (rule.project(config.source, named, nodes=_NODES, harmonics=_HELD).weights for rule in (rings, sun_centred))
     relative = np.abs(one - other) / np.abs(one).max(axis=-1, keepdims=True)
-    degrees, _ = sphere.degrees_orders(_BANDS, mirrored=True)
-    return np.array([relative[..., degrees < n].max() for n in range(1, _BANDS + 1)])
+    return np.array([relative[..., _HELD.degrees < n].max() for n in range(1, _BANDS + 1)])
 
 
 def _draw(rows: Sequence[Row]) -> Figure:

@@ -8,11 +8,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from skylight_sh import sphere
 from skylight_sh.fit.axis import Axis
 from skylight_sh.light.preetham import Preetham
 from skylight_sh.runtime import Specification, Surroundings, Table
 from skylight_sh.table.prefactor import closed_form, reciprocal
+from skylight_sh.table.row_layout import stored
 from skylight_sh.table.table import fast, small, specification
 from skylight_sh.table.twilight import TWILIGHT
 
@@ -58,7 +58,7 @@ def _around(rng: np.random.Generator) -> Surroundings:
 def _dense(rng: np.random.Generator, spec: Specification, degrees: tuple[int, ...], bands: int) -> NDArray[np.float64]:
     """Return coefficients ``(channels, count, d_1+1, ..)`` that fall off with the degree, as those of smooth lights do."""
     sizes = tuple(d + 1 for d in degrees)
-    dense = rng.normal(size=(len(spec.channels), sphere.count(bands, mirrored=spec.mirrored), *sizes))
+    dense = rng.normal(size=(len(spec.channels), stored(spec, bands).count, *sizes))
     return np.asarray(dense * 2.0 ** -np.sum(np.indices(sizes), axis=0))
 
 

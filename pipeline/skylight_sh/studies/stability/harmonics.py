@@ -46,7 +46,7 @@ def _gram(l: int) -> float:
     """Largest departure from orthonormality among all degrees up to ``l`` of equal order."""
     x, w = np.polynomial.legendre.leggauss(l + 1)
     rings = sphere.legendre(x, np.sqrt((1 - x) * (1 + x)), l + 1)
-    _, orders = sphere.degrees_orders(l + 1, mirrored=True)
+    orders = sphere.Harmonics.even(l + 1).orders
     worst = 0.0
     for m in range(0, l + 1, max(1, l // 20)):
         rows = rings[orders == m]
