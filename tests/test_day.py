@@ -12,8 +12,9 @@ import numpy as np
 import pytest
 from conftest import ROOT
 from skylight_sh import runtime
-from skylight_sh.export import day, engines, solar
+from skylight_sh.export import day, engines
 from skylight_sh.light import MissingExtraError
+from skylight_sh.scene import solar
 from test_cli import invoke
 
 TABLE = ROOT / "reports" / "reference" / "export" / "skylight_sh.npz"

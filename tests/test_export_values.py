@@ -12,10 +12,11 @@ import numpy as np
 import pytest
 from conftest import with_spec
 from skylight_sh import runtime
-from skylight_sh.export import c_comment, c_header, day, shaders, solar
+from skylight_sh.export import c_comment, c_header, day, shaders
 from skylight_sh.export.shader_dialects import GLSL
 from skylight_sh.fit.axis import Axis
 from skylight_sh.light.preetham import Preetham
+from skylight_sh.scene import solar
 from skylight_sh.studies.stability.flavours import flavours
 from skylight_sh.table import npz, twilight
 from skylight_sh.table.prefactor import closed_form

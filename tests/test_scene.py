@@ -13,9 +13,9 @@ from conftest import ONE_LAYOUT, ROOT, run_quietly, scene_config
 from numpy.typing import NDArray
 from skylight_sh import runtime, sphere
 from skylight_sh.config import Config, ConfigError, load, parse
-from skylight_sh.config.sun_range import zenith_range
 from skylight_sh.run.runner import Result
 from skylight_sh.run.stages import origins
+from skylight_sh.scene.solar import zenith_range
 from skylight_sh.store.store import Store
 from skylight_sh.studies.grid_samples import sample
 from skylight_sh.studies.published import exported

@@ -16,7 +16,7 @@ from skylight_sh.probe.layouts import patches
 from skylight_sh.run import plan
 from skylight_sh.run.runner import steps
 from skylight_sh.runtime import Surroundings
-from skylight_sh.table.surroundings import build, mask_bands
+from skylight_sh.scene.surroundings import Clouds, build, mask_bands
 
 Array = NDArray[np.float64]
 TEXT = ONE_LAYOUT.replace("[0.05, 0.01]", "[0.01]").replace('["bands"]', '["surroundings"]')
@@ -52,7 +52,7 @@ def config_of(folder: Path, scene: str) -> Config:
 
 def test_nothing_changes_nothing() -> None:
     assert np.array_equal(build(BANDS).apply(SKY, BANDS), SKY)
-    clear = build(BANDS, clouds=(np.zeros(WIDE * WIDE), np.ones(3)))
+    clear = build(BANDS, clouds=Clouds(np.zeros(WIDE * WIDE), np.ones(3)))
     assert np.abs(clear.apply(SKY, BANDS) - SKY).max() < 1e-13
     assert clear.gain == pytest.approx(1.0, abs=1e-13)
 
@@ -88,9 +88,11 @@ def test_opaque_clouds_and_the_ground_below() -> None:
     colour, albedo = np.array([3.0, 2.0, 1.0]), [0.1, 0.2, 0.3]
     upper = np.where(sphere.Harmonics(BANDS).orders == 0, sphere.cap(np.pi / 2, BANDS)[sphere.Harmonics(BANDS).degrees], 0)
     # Clouds end on the horizon, whatever the picture shows below it.
-    assert np.abs(build(BANDS, clouds=(constant(1.0, WIDE), colour)).own - np.multiply.outer(colour, upper)).max() < 1e-12
+    assert (
+        np.abs(build(BANDS, clouds=Clouds(constant(1.0, WIDE), colour)).own - np.multiply.outer(colour, upper)).max() < 1e-12
+    )
     # Through clouds that are not there, the ground is that of ``add_ground``.
-    lit = build(BANDS, clouds=(np.zeros(WIDE * WIDE), colour), albedo=albedo).apply(SKY, BANDS)
+    lit = build(BANDS, clouds=Clouds(np.zeros(WIDE * WIDE), colour), albedo=albedo).apply(SKY, BANDS)
     assert np.abs(lit - sphere.add_ground(SKY, albedo, BANDS)).max() < 1e-13
     # Under an even sky, irradiance pi, a skyline at the horizon and nothing else, the ground's radiance is the albedo.
     even = np.zeros((3, BANDS * BANDS))

@@ -14,9 +14,9 @@ from conftest import ROOT, SMALL, run_quietly, with_spec
 from numpy.typing import NDArray
 from skylight_sh import runtime
 from skylight_sh.config import ConfigError, parse
-from skylight_sh.export import day, engines, solar
+from skylight_sh.export import day, engines
 from skylight_sh.runtime import Surroundings, Table
-from skylight_sh.scene import clear_day
+from skylight_sh.scene import clear_day, solar
 from skylight_sh.studies.stability.flavours import flavours
 from skylight_sh.table import npz, twilight
 from test_cli import invoke

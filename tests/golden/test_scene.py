@@ -14,8 +14,8 @@ from skylight_sh.light import sun_disc
 from skylight_sh.run import from_config
 from skylight_sh.scene import fold as folding
 from skylight_sh.scene.fold import Scene, Sun, luminance_scale, window
+from skylight_sh.scene.surroundings import build
 from skylight_sh.store.dataset import Dataset, Variable
-from skylight_sh.table.surroundings import build
 
 from golden.oracles import (
     REC709,

@@ -7,8 +7,8 @@ import math
 from datetime import UTC, datetime, timedelta
 
 import pytest
-from skylight_sh.config.sun_range import zenith_range
-from skylight_sh.export import solar
+from skylight_sh.scene import solar
+from skylight_sh.scene.solar import zenith_range
 
 
 def almanac(latitude: float, longitude: float, moment: datetime) -> tuple[float, float]:

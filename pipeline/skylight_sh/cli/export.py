@@ -59,7 +59,7 @@ def export(
     --longitude 16.4 --timezone Europe/Vienna --date 2024-06-21 --turbidity 3 --output day.json
     """
     from skylight_sh.export import day as days
-    from skylight_sh.export.solar import Place
+    from skylight_sh.scene.solar import Place
 
     if {"sun_zenith", "sun_azimuth"} & set(asked.assignments(given)):
         raise UserError("The date and the place give the sun's position. Leave --at sun_zenith and sun_azimuth out.")

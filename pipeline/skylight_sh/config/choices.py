@@ -36,7 +36,7 @@ class OneOf:
 class AnyOf:
     """In ``Annotated[T, AnyOf(types, "model", "what it is")]``: one of the ``types``, told apart by their key ``tag``."""
 
-    types: Registry[Any]
+    types: Mapping[str, Any]
     tag: str
     about: str
 

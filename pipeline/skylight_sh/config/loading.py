@@ -42,20 +42,22 @@ def load(path: str | Path, run: Mapping[str, Any] | None = None) -> Config:
 def parse(raw: dict[str, Any], where: str, folder: Path = Path()) -> Config:
     """Check the parsed TOML ``raw``; ``where`` names it in errors, paths in it start from ``folder``."""
     raw = copy.deepcopy(raw)
-    wrong = sun_range.narrow(raw)
-    if wrong:
-        raise ConfigError(f"{where} has 1 problem:\n  {Problem('$.scene.sun', raw['scene']['sun'], wrong)}")
     try:
         # JSON mode is strict about types but takes arrays for tuples, as TOML has no tuples.
-        config = Config.model_validate_json(json.dumps(raw, default=str)).within(folder)
+        config = Config.model_validate_json(json.dumps(raw, default=str))
     except ValidationError as error:
         # A value that fits no branch of a union fails in each: the first failure that goes deepest tells enough.
         told = {problem.path: problem for problem in reversed([_problem(e, raw) for e in error.errors(include_url=False)])}
         found = [p for path, p in reversed(told.items()) if not any(q.startswith((f"{path}.", f"{path}[")) for q in told)]
     else:
-        found = validation.find(config)
-        if not found:
-            return config
+        try:
+            config = sun_range.narrowed(config).within(folder)
+        except ValueError as error:
+            found = [Problem("$.scene.sun", raw["scene"]["sun"], str(error))]
+        else:
+            found = validation.find(config)
+            if not found:
+                return config
     lines = [f"{where} has {len(found)} problem{'s' if len(found) > 1 else ''}:", *(f"  {p}" for p in found)]
     raise ConfigError("\n".join(lines))
 

@@ -11,7 +11,7 @@ from pydantic import Field, PrivateAttr
 from skylight_sh import shipped
 from skylight_sh.config.choices import AnyOf, OneOf
 from skylight_sh.config.section import Section
-from skylight_sh.config.surroundings_schema import CloudsSection, LightSection, OccluderSection
+from skylight_sh.config.surroundings_schema import CloudsSection, OccluderSection
 from skylight_sh.export.targets import ALWAYS, TARGETS
 from skylight_sh.fit.least_squares import SOLVERS
 from skylight_sh.formula.bases import BASES
@@ -19,6 +19,7 @@ from skylight_sh.formula.variables import VARIABLES
 from skylight_sh.light import LIGHTS, BlackBox, Fixed, Light, Luminance, OptionsOfLight
 from skylight_sh.quadrature.registry import RULES
 from skylight_sh.report.figures import PICTURES
+from skylight_sh.scene.lamps import LAMPS, Lamp
 
 Name = Annotated[str, Field(pattern=r"^[a-z0-9][a-z0-9_-]{0,39}$")]
 Degree = Annotated[int, Field(ge=0, le=40)]
@@ -176,8 +177,8 @@ class SceneSection(Section):
     )
     clouds: CloudsSection | None = Field(None, description="clouds before the sky")
     occluders: tuple[OccluderSection, ...] = Field((), description="black spheres before everything but the lights")
-    lights: tuple[Annotated[LightSection, Field(discriminator="kind")], ...] = Field(
-        (), description="lights that never move: kind = sphere, disc, point, spot, directional or probe"
+    lights: tuple[Annotated[Lamp, AnyOf(LAMPS, "kind", "a light that never moves")], ...] = Field(
+        (), description=f"lights that never move: kind = {', '.join(LAMPS)}"
     )
     window: bool = Field(False, description="fold the zonal window of eq. 5 into the weights")
     fixed: dict[str, float] = Field({}, description="parameters that never change, e.g. { turbidity = 3.0 }")

@@ -62,8 +62,9 @@ def _scene(config: Config) -> Iterator[Problem]:
     if config.scene.sun_disc and not isinstance(config.light, Preetham):
         remedy = "The disc's dimming is Preetham's, by turbidity. Use model = \"preetham\", or leave the disc out."
         yield Problem("$.scene.sun_disc", True, remedy)
-    if config.scene.twilight and not any(axis.name == "sun_zenith" and axis.range[1] == math.pi / 2 for axis in config.axes):
-        remedy = "The fade begins on the horizon. Give sun_zenith an axis whose range ends at 1.5707963267948966."
+    peak = config.light.hints.peak_axis
+    if config.scene.twilight and not any(axis.name == peak and axis.range[1] == math.pi / 2 for axis in config.axes):
+        remedy = f"The fade begins on the horizon. Give {peak or 'the sun'} an axis whose range ends at 1.5707963267948966."
         yield Problem("$.scene.twilight", True, remedy)
     ground, channels = config.scene.ground, len(config.source.channels)
     if not isinstance(ground, str) and len(ground) != channels:

@@ -15,8 +15,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from skylight_sh import sphere
-from skylight_sh.export import engines, solar
+from skylight_sh.export import engines
 from skylight_sh.runtime import CLAMPED, INVALID, Runtime, Table
+from skylight_sh.scene import solar
 from skylight_sh.store import atomic
 from skylight_sh.table import twilight
 

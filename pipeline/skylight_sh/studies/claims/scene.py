@@ -14,11 +14,11 @@ from numpy.typing import NDArray
 
 from skylight_sh import sphere
 from skylight_sh.config.schema import Config
-from skylight_sh.config.surroundings_schema import LightSection, SphereLight, SpotLight
 from skylight_sh.probe import files
 from skylight_sh.quadrature import sampling
 from skylight_sh.run.from_config import surroundings_of
 from skylight_sh.run.stages import surroundings
+from skylight_sh.scene.lamps import Lamp, Sphere, Spot
 
 Array = NDArray[np.float64]
 
@@ -141,12 +141,12 @@ def _clouds(config: Config, polar: Array, around: Array) -> tuple[Array, Array]:
     return clouds.opacity * picture[row, column], np.array(clouds.colour)
 
 
-def _lamp(light: LightSection, bands: int) -> Array:
+def _lamp(light: Lamp, bands: int) -> Array:
     """Return a lamp's weights ``(channels, N*N)``, a sphere's by directions of its own about its centre."""
-    if isinstance(light, SphereLight):
+    if isinstance(light, Sphere):
         where, solid = _cone(np.array(light.centre), light.radius)
         return np.asarray(np.multiply.outer(np.array(light.radiance), solid @ sphere.basis(where, bands)))
-    if not isinstance(light, SpotLight):
+    if not isinstance(light, Spot):
         raise ValueError(f"Invalid light of kind {light.kind!r}. Should be a sphere or a spot here.")
     centre, axis = np.array(light.centre), np.array(light.axis)
     distance = float(np.linalg.norm(centre))

@@ -1,4 +1,4 @@
-"""Where the sun stands: its zenith angle and azimuth at a place on Earth, by the NOAA formulas of the library Astral."""
+"""Where the sun stands at a place on Earth, and how high it can stand there, by the NOAA formulas of the library Astral."""
 
 from __future__ import annotations
 
@@ -9,6 +9,10 @@ from datetime import UTC, date, datetime, time, timedelta
 from zoneinfo import ZoneInfo, ZoneInfoNotFoundError
 
 from skylight_sh import MissingExtraError
+
+# Refraction is left out, and longitude and year move the sun a little: a margin keeps the range from being too narrow.
+_MARGIN = math.radians(0.6)
+_LONGEST = 366
 
 
 @dataclass(frozen=True)
@@ -43,6 +47,31 @@ def position(place: Place, moment: datetime) -> tuple[float, float]:
         raise ValueError(f"Invalid moment {moment.isoformat()}. Should have a time zone.")
     zenith, bearing = sun.zenith_and_azimuth(Observer(place.latitude, place.longitude), moment.astimezone(UTC))
     return math.radians(zenith), math.radians(90.0 - bearing) % (2 * math.pi)
+
+
+def zenith_range(latitude: float, first: str, last: str) -> tuple[float, float]:
+    """Return the least and largest zenith angle of the sun's centre in radians, the horizon at most.
+
+    ``latitude`` is in degrees north; ``first`` and ``last`` are ISO dates, at most a year apart. Raises ValueError for dates
+    that are none or in the wrong order, and where the sun never rises; MissingExtraError without Astral.
+    """
+    try:
+        from astral import Observer, sun
+    except ImportError as error:
+        raise MissingExtraError("It needs astral. Install the extra: pip install 'skylight-sh[solar]'.") from error
+    start, end = date.fromisoformat(first), date.fromisoformat(last)
+    days = (end - start).days
+    if not 0 <= days <= _LONGEST:
+        raise ValueError(f"{first} to {last} is no span of 0 to {_LONGEST} days")
+    observer = Observer(latitude, 0.0)
+    zeniths = []
+    for day in (start + timedelta(days=n) for n in range(days + 1)):
+        for when in (sun.noon(observer, day), sun.midnight(observer, day)):
+            zeniths.append(math.radians(sun.zenith(observer, when, with_refraction=False)))
+    low, high = min(zeniths) - _MARGIN, max(zeniths) + _MARGIN
+    if low >= math.pi / 2:
+        raise ValueError(f"the sun does not rise at latitude {latitude:g} from {first} to {last}")
+    return max(0.0, low), min(math.pi / 2, high)
 
 
 def moments(day: date, zone: str, step: int) -> Iterator[datetime]:
