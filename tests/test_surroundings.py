@@ -159,6 +159,10 @@ def test_a_run_hides_shines_and_turns(tmp_path: Path) -> None:
         sky = plain.weights(0.8, azimuth, 3.3).astype(np.float64)
         expected = sphere.cover(sky, weights, np.array([4000.0, 5000.0, 6000.0]), BANDS) + shone
         assert np.abs(around.weights(0.8, azimuth, 3.3) - expected).max() < 2e-4 * np.abs(sky).max()
+    # A table of given degrees, of fewer bands, has its own.
+    given = runtime.load(result.folder / "export" / "3-bands-degrees-6-4-float64" / "skylight_sh.npz").table.surroundings
+    assert given is not None
+    assert given.transfer.shape == (9, 9)
 
 
 def test_lamps_light_diffusely(tmp_path: Path) -> None:

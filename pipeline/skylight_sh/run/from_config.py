@@ -78,7 +78,8 @@ def surroundings_of(inputs: Inputs) -> dict[int, Surroundings]:
 
 def specification_of(config: Config, inputs: Inputs, harmonics: Harmonics) -> Specification:
     """Return what all tables of a run's fit have in common: axes, channels, factor, and what the scene folds in."""
-    scene = config.scene
+    # What a table's inputs mean is no secret, even where a fit is to know nothing of its light.
+    scene, peak = config.scene, config.light.hints.peak_axis
     return specification(
         axes_of(config, inputs),
         config.source.channels,
@@ -90,7 +91,7 @@ def specification_of(config: Config, inputs: Inputs, harmonics: Harmonics) -> Sp
         azimuth=scene.azimuth,
         ground=scene.ground,
         sun_disc=scene.sun_disc,
-        peak_axis=config.source.hints.peak_axis,
+        peak_axis=peak if peak in [axis.name for axis in config.axes] else None,
         twilight=TWILIGHT if scene.twilight else None,
     )
 

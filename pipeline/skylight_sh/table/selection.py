@@ -160,7 +160,8 @@ def given(request: Request, coefficients: Array, data: SearchData) -> Table:
     cut = coefficients[(slice(None), slice(None), *(slice(d + 1) for d in degrees))]
     harmonics = stored(data.spec, request.bands)
     cut = cut[:, : harmonics.count] * data.window(harmonics).reshape(-1, *(1,) * (cut.ndim - 2))
-    return tables.whole(data.spec, _gridded(data, cut, request.dtype), request.bands, request.dtype)
+    around = data.surroundings.get(request.bands)
+    return tables.whole(data.spec, _gridded(data, cut, request.dtype), request.bands, request.dtype, around)
 
 
 def pareto_front(points: Sequence[Point]) -> list[Point]:

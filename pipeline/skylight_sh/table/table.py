@@ -88,14 +88,14 @@ def fast(
     return Table(spec, bands, _terms(spec, degrees), body, surroundings)
 
 
-def whole(spec: Specification, dense: Array, bands: int, dtype: str) -> Table:
+def whole(spec: Specification, dense: Array, bands: int, dtype: str, surroundings: Surroundings | None = None) -> Table:
     """Make a table of every coefficient of ``dense``, laid out for speed.
 
     >>> spec = specification([Axis("height", 0.0, 1.0)], ("luminance",), True, "chebyshev")
     >>> whole(spec, np.array([[[3.0, 1.0]]]), 1, "float32").evaluate(np.array([[0.0], [1.0]])).ravel().tolist()
     [2.0, 4.0]
     """
-    return fast(spec, dense, np.full(dense.shape[3:], dense.shape[2]), bands, dtype)
+    return fast(spec, dense, np.full(dense.shape[3:], dense.shape[2]), bands, dtype, surroundings)
 
 
 def small(
