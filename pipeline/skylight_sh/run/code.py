@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import os
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import fields, is_dataclass
@@ -25,12 +26,11 @@ _ELSEWHERE = (
     "run/provenance.py",
 )
 _SUFFIXES = (".py", ".j2", ".h", ".c")
+# Each starts with plain letters, which are found much faster than blanks before them: ``_starts_line`` looks at those.
+_FROM = re.compile(rf"from[ \t]+({PACKAGE}[\w.]*)[ \t]+import[ \t]+(\([^)]*\)|[^\n(]+)")
+_IMPORT = re.compile(rf"import[ \t]+({PACKAGE}[\w.]*)")
 # A registry's places.
-_NAMED = re.compile(rf"[\"']({PACKAGE}[\w.]*):\w+[\"']")
-_IMPORT = re.compile(
-    rf"^[ \t]*(?:from[ \t]+({PACKAGE}[\w.]*)[ \t]+import[ \t]+(\([^)]*\)|[^\n(]+)|import[ \t]+({PACKAGE}[\w.]*))",
-    re.MULTILINE,
-)
+_NAMED = re.compile(rf"({PACKAGE}[\w.]*):\w+[\"']")
 
 
 def version_of(make: Callable[..., Any]) -> str:
@@ -45,22 +45,42 @@ def version_of(make: Callable[..., Any]) -> str:
 @lru_cache(maxsize=1)
 def whole_version() -> str:
     """Return a hash of all code of this package."""
-    return _digest(tuple(path for path in sorted(_ROOT.rglob("*")) if path.suffix in _SUFFIXES))
+    return _digest(tuple(sorted(_sources())))
 
 
-def closure(modules: Iterable[str]) -> tuple[Path, ...]:
-    """Return the files of ``modules`` and of what they import, now or later, sorted; templates beside them included."""
-    found: set[Path] = set()
+def closure(modules: Iterable[str]) -> tuple[str, ...]:
+    """Return the files of ``modules`` and of what they import, now or later, sorted; templates beside them included.
+
+    Files are paths from the package's folder, with slashes.
+    """
+    found: set[str] = set()
     todo = [path for name in modules for path in _files(name)]
     while todo:
         path = todo.pop()
-        relative = path.relative_to(_ROOT).as_posix()
-        if path in found or relative.startswith(_ELSEWHERE):
-            continue
-        found.add(path)
-        todo += _imported(path)
-    texts = {p for folder in {path.parent for path in found} for p in folder.rglob("*") if p.suffix in _SUFFIXES[1:]}
+        if path not in found and not path.startswith(_ELSEWHERE):
+            found.add(path)
+            todo += imported(path)
+    folders = {path.rpartition("/")[0] for path in found} - {""}
+    texts = {path for path in _sources() if not path.endswith(".py") and not folders.isdisjoint(_above(path))}
     return tuple(sorted(found | texts))
+
+
+@lru_cache(maxsize=512)
+def imported(path: str) -> tuple[str, ...]:
+    """Return the files of this package that the file at ``path`` imports, or a registry in it names."""
+    text = _read(path).decode()
+    names: list[str] = []
+    for match in _FROM.finditer(text):
+        if _starts_line(text, match.start()):
+            parts = re.findall(r"\w+", re.sub(r"\bas\s+\w+|#[^\n]*", "", match[2]))
+            names += [match[1], *(f"{match[1]}.{part}" for part in parts)]
+    names += [match[1] for match in _IMPORT.finditer(text) if _starts_line(text, match.start())]
+    names += [match[1] for match in _NAMED.finditer(text) if text[match.start() - 1] in "\"'"]
+    return tuple(dict.fromkeys(file for name in names for file in _files(name)))
+
+
+def _starts_line(text: str, place: int) -> bool:
+    return not text[text.rfind("\n", 0, place) + 1 : place].strip()
 
 
 def _modules(value: Any) -> Iterator[str]:
@@ -86,37 +106,38 @@ def _modules(value: Any) -> Iterator[str]:
             yield from _modules([getattr(value, name) for name in type(value).model_fields])
 
 
-def _files(name: str) -> list[Path]:
+@lru_cache(maxsize=1024)
+def _files(name: str) -> tuple[str, ...]:
     """Return the files that importing the module ``name`` runs: its own, and those of the packages about it."""
-    place, found = _ROOT, []
-    for part in name.split(".")[1:]:
-        place = place / part
-        found += [path for path in (place.with_suffix(".py"), place / "__init__.py") if path.is_file()]
-    return found
+    parts = name.split(".")[1:]
+    places = ["/".join(parts[: i + 1]) for i in range(len(parts))]
+    return tuple(f for place in places for f in (f"{place}.py", f"{place}/__init__.py") if f in _sources())
+
+
+@lru_cache(maxsize=1)
+def _sources() -> frozenset[str]:
+    """Return all files of code of this package; looked up once, as the modules of a process are read once."""
+    found = []
+    for folder, folders, names in os.walk(_ROOT):
+        folders[:] = [name for name in folders if name != "__pycache__"]
+        start = Path(folder).relative_to(_ROOT).as_posix()
+        found += [f"{start}/{name}".removeprefix("./") for name in names if name.endswith(_SUFFIXES)]
+    return frozenset(found)
+
+
+def _above(path: str) -> list[str]:
+    """Return the folders that a file is in, from its own up."""
+    return [path[:i] for i, letter in enumerate(path) if letter == "/"]
 
 
 @lru_cache(maxsize=512)
-def _imported(path: Path) -> tuple[Path, ...]:
-    found: list[Path] = []
-    text = path.read_text(encoding="utf-8")
-    for source, names, plain in _IMPORT.findall(text):
-        found += _files(source or plain)
-        for name in re.findall(r"[\w]+", re.sub(r"\bas\s+\w+|#[^\n]*", "", names)):
-            found += _files(f"{source}.{name}")
-    for named in _NAMED.findall(text):
-        found += _files(named)
-    return tuple(dict.fromkeys(found))
-
-
-@lru_cache(maxsize=512)
-def _sum(path: Path) -> bytes:
-    return hashlib.sha256(path.read_bytes()).digest()
+def _read(path: str) -> bytes:
+    return (_ROOT / path).read_bytes()
 
 
 @lru_cache(maxsize=64)
-def _digest(paths: tuple[Path, ...]) -> str:
+def _digest(paths: tuple[str, ...]) -> str:
     state = hashlib.sha256()
     for path in paths:
-        state.update(path.relative_to(_ROOT).as_posix().encode() + b"\0")
-        state.update(_sum(path))
+        state.update(path.encode() + b"\0" + hashlib.sha256(_read(path)).digest())
     return state.hexdigest()
