@@ -85,7 +85,7 @@ def fitted(text: str, place: Path) -> list[dict[str, object]]:
     config = load(path)
     chosen = [step for step in steps(config) if step.stage not in {"export", "report"}]
     with threadpool_limits(1):
-        _, made = plan.execute(chosen, Store(place / "store"), {}, progress.bar, pytest.fail, wanted=("select", "measure"))
+        _, made = plan.execute(chosen, Store(place / "store"), dict, progress.bar, pytest.fail, wanted=("select", "measure"))
     names = [name.split("/")[1] for name in made["select"].variables if name.endswith("/npz")]
     tables = [read_table(made["select"], f"tables/{name}") for name in names]
     return [facts_of(config, table, made["measure"], name) for table, name in zip(tables, names, strict=True)]

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import ast
+import inspect
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import reduce
+from itertools import pairwise
 from operator import or_
+from textwrap import dedent
 from typing import Annotated, Any
 
 from pydantic import Field, GetCoreSchemaHandler, GetJsonSchemaHandler
@@ -45,10 +49,26 @@ class AnyOf:
         return handler.generate_schema(Annotated[union, Field(discriminator=self.tag)])
 
     def __get_pydantic_json_schema__(self, schema: CoreSchema, handler: GetJsonSchemaHandler) -> dict[str, Any]:
-        return {
-            **handler(schema),
-            "description": f"{self.about}, by its {self.tag} and that one's options: {described(self.types)}",
-        }
+        found = handler(schema)
+        for branch, kind in zip(found["oneOf"], self.types.values(), strict=True):
+            keys = handler.resolve_ref_schema(branch)["properties"]
+            for name, text in _said_of_fields(kind).items():
+                keys[name]["description"] = text
+        return {**found, "description": f"{self.about}, by its {self.tag} and that one's options: {described(self.types)}"}
+
+
+def _said_of_fields(kind: type) -> dict[str, str]:
+    """Return the texts that stand below the fields of a class, by name."""
+    (body,) = (node.body for node in ast.parse(dedent(inspect.getsource(kind))).body if isinstance(node, ast.ClassDef))
+    return {
+        field.target.id: inspect.cleandoc(text.value.value)
+        for field, text in pairwise(body)
+        if isinstance(field, ast.AnnAssign)
+        and isinstance(field.target, ast.Name)
+        and isinstance(text, ast.Expr)
+        and isinstance(text.value, ast.Constant)
+        and isinstance(text.value.value, str)
+    }
 
 
 def described(names: Mapping[str, object], others: tuple[tuple[str, str], ...] = ()) -> str:

@@ -8,7 +8,6 @@ from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import linalg
 
 from skylight_sh.fit import peaks
 from skylight_sh.fit.errors import norms
@@ -63,7 +62,7 @@ class Metric:
     @cached_property
     def best(self) -> Array:
         """The best coefficients of all terms, solved for where they are asked for."""
-        return np.stack([linalg.solve(g, r.T, assume_a="pos").T for g, r in zip(self.gram, self.right, strict=True)])
+        return np.stack([_solved(g, r.T).T for g, r in zip(self.gram, self.right, strict=True)])
 
     def best_of(self, kept: Index) -> Array:
         """Return the best coefficients of the terms ``kept`` alone, zeros elsewhere: ``(channels, count, terms)``.
@@ -75,8 +74,15 @@ class Metric:
         out = np.zeros_like(self.right)
         for channel, gram in enumerate(self.gram):
             right = self.right[channel][:, kept].T
-            out[channel][:, kept] = linalg.solve(gram[np.ix_(kept, kept)], right, assume_a="pos").T
+            out[channel][:, kept] = _solved(gram[np.ix_(kept, kept)], right).T
         return out
+
+
+def _solved(gram: Array, right: Array) -> Array:
+    # Imported here: names that this module gives to others need no SciPy.
+    from scipy import linalg
+
+    return np.asarray(linalg.solve(gram, right, assume_a="pos"))
 
 
 def metric(sampled: Sampled, importance: Array) -> Metric:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import linalg
 
 from skylight_sh.fit.minimax import Metric
 from skylight_sh.reproducible import significant
@@ -38,6 +37,8 @@ def round_kept(metric: Metric, lengths: Index, first: int, step: float) -> Index
     >>> round_kept(Metric(gram, right), np.full((1, 1, 1), 2), 2, 1.0).ravel().tolist()
     [2, 1]
     """
+    from scipy import linalg
+
     channels, count, rest = lengths.shape
     keep = (np.arange(first)[:, np.newaxis] < lengths[:, :, np.newaxis, :]).reshape(channels, count, -1)
     out = np.zeros((channels, count, first * rest), dtype=np.int64)

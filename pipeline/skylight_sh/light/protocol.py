@@ -15,8 +15,8 @@ Array = NDArray[np.float64]
 Parameters = Mapping[str, Array]
 
 
-# How a config reads a light's options: strictly, and with the texts below them as their descriptions.
-OPTIONS: Mapping[str, object] = {"extra": "forbid", "strict": True, "use_attribute_docstrings": True}
+# How a config reads a light's options.
+OPTIONS: Mapping[str, object] = {"extra": "forbid", "strict": True}
 
 
 @dataclass(frozen=True)

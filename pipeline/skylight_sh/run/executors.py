@@ -14,9 +14,8 @@ from dataclasses import dataclass
 from functools import lru_cache, partial
 from typing import Any, TypeVar
 
-from threadpoolctl import threadpool_limits
-
 from skylight_sh import UserError
+from skylight_sh.run.blas import one_thread
 from skylight_sh.run.fingerprint import Fingerprint, differences, fingerprint, in_use
 
 Item = TypeVar("Item")
@@ -93,7 +92,7 @@ def _here(
 
     task: Callable[[Item], Any] = function if threads else partial(_on_worker, function, used, expected, "")
     graph = {("task", i): (task, item) for i, item in enumerate(items)}
-    with threadpool_limits(1), Callback(posttask=count):
+    with one_thread(), Callback(posttask=count):
         try:
             found = list(get(graph, list(graph), num_workers=workers))
         except Exception as error:
@@ -209,6 +208,6 @@ def _said(error: Exception) -> str:
 
 
 @lru_cache(maxsize=1)
-def _limit_blas() -> threadpool_limits:
+def _limit_blas() -> object:
     # For the worker's whole life: a limit undone by one of its threads would be undone for all of them.
-    return threadpool_limits(1)
+    return one_thread()

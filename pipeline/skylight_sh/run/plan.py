@@ -8,6 +8,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from skylight_sh.run.blas import one_thread
 from skylight_sh.run.code import version_of
 from skylight_sh.run.executors import Advance
 from skylight_sh.run.provenance import libraries
@@ -80,15 +81,15 @@ def keys(plan: Sequence[Step]) -> dict[str, str]:
 def execute(
     plan: Sequence[Step],
     store: Store,
-    provenance: Mapping[str, Any],
+    provenance: Callable[[], Mapping[str, Any]],
     bar: Callable[[str], Any],
     warn: Callable[[str], None],
     wanted: Sequence[str],
 ) -> tuple[dict[str, Outcome], dict[str, Dataset]]:
     """Make what the store lacks, in the plan's order; return every step's outcome and the artifacts ``wanted`` by name.
 
-    Artifacts are read only where a step needs them. One that is corrupt, or another than it should be, is made again, with a
-    warning.
+    ``provenance`` gives what an artifact that is made now tells of its maker. Artifacts are read only where a step needs
+    them. One that is corrupt, or another than it should be, is made again, with a warning.
     """
     names = keys(plan)
     steps = {step.name: step for step in plan}
@@ -111,9 +112,9 @@ def execute(
                 return loaded[name]
         inputs = {needed: obtain(needed) for needed in step.inputs}
         start = time.perf_counter()
-        with bar(step.name) as advance:
+        with bar(step.name) as advance, one_thread():
             made = step.make(inputs, advance)
-        stamped = Dataset(made.variables, {**made.attrs, "step": name, "key": key, **provenance})
+        stamped = Dataset(made.variables, {**made.attrs, "step": name, "key": key, **provenance()})
         store.put(step.stage, key, stamped)
         loaded[name] = stamped
         outcomes[name] = Outcome(step, key, time.perf_counter() - start, False, _provenance(stamped.attrs))

@@ -24,8 +24,18 @@ _DRAWING = ("matplotlib", "pandas", "jinja2")
 
 
 @lru_cache(maxsize=1)
+def versions() -> dict[str, str]:
+    """Return versions of everything that computes."""
+    return {
+        "skylight_sh": __version__,
+        "python": platform.python_version(),
+        **{name: version(name) for name in _LIBRARIES},
+    }
+
+
+@lru_cache(maxsize=1)
 def environment() -> dict[str, Any]:
-    """Return versions of everything that computes, the CPU features NumPy found and the kernels BLAS chose."""
+    """Return ``versions``, the machine, the CPU features NumPy found and the kernels BLAS chose; it loads all of SciPy's."""
     from threadpoolctl import threadpool_info
 
     # SciPy has a BLAS of its own, which is told once it is loaded.
@@ -34,8 +44,7 @@ def environment() -> dict[str, Any]:
     found = np.show_config(mode="dicts") or {}
     features = found.get("SIMD Extensions", {})
     return {
-        "skylight_sh": __version__,
-        "python": platform.python_version(),
+        **versions(),
         "machine": platform.machine(),
         "cpu_features": sorted(set(features.get("baseline", [])) | set(features.get("found", []))),
         "blas": sorted(
@@ -43,14 +52,13 @@ def environment() -> dict[str, Any]:
             for found in threadpool_info()
             if found["user_api"] == "blas"
         ),
-        **{name: version(name) for name in _LIBRARIES},
     }
 
 
 @lru_cache(maxsize=1)
 def libraries() -> dict[str, str]:
     """Return the versions that decide what a step computes."""
-    return {name: version(name) for name in ("numpy", "scipy")}
+    return {name: versions()[name] for name in ("numpy", "scipy")}
 
 
 @lru_cache(maxsize=1)

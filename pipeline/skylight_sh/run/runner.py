@@ -9,15 +9,14 @@ import platform
 import time
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any
-
-from threadpoolctl import threadpool_limits
 
 from skylight_sh.config.schema import Config
 from skylight_sh.run import plan, progress
 from skylight_sh.run.files import from_dataset
-from skylight_sh.run.provenance import environment, settings
+from skylight_sh.run.provenance import environment, settings, versions
 from skylight_sh.run.stages import export, fit, measure, origins, report, select, surroundings, truth, variables
 from skylight_sh.store import atomic
 from skylight_sh.store.store import Store
@@ -46,9 +45,9 @@ def run(config: Config, store: Store, reports: Path, warn: Callable[[str], None]
 
     Raises what a stage raises (NotConvergedError, BudgetError) before anything is published.
     """
-    provenance = {"provenance": json.dumps({"config": settings(config), "environment": environment()}, sort_keys=True)}
-    with threadpool_limits(1):
-        outcomes, artifacts = plan.execute(steps(config), store, provenance, progress.bar, warn, wanted=("export", "report"))
+    outcomes, artifacts = plan.execute(
+        steps(config), store, partial(_provenance, config), progress.bar, warn, wanted=("export", "report")
+    )
     start = time.perf_counter()
     folder = reports / config.name
     files = {path: data for artifact in artifacts.values() for path, data in from_dataset(artifact).items()}
@@ -59,7 +58,7 @@ def run(config: Config, store: Store, reports: Path, warn: Callable[[str], None]
     stages["publish"] = {"seconds": round(time.perf_counter() - start, 3), "cached": False}
     record = {
         "stages": stages,
-        "versions": environment(),
+        "versions": versions(),
         "machine": {"cores": os.cpu_count(), "system": platform.system(), "processor": platform.machine()},
         "run": config.run.model_dump(mode="json"),
         "files": sorted(files),
@@ -73,6 +72,11 @@ def sums(files: Mapping[str, bytes]) -> str:
     """Return the lines of SHA256SUMS, as ``sha256sum --check`` reads them: of what is the same on every machine."""
     same = sorted(path for path in files if path.startswith("export/") or path in ("errors.csv", "summary.json"))
     return "".join(f"{hashlib.sha256(files[path]).hexdigest()}  {path}\n" for path in same)
+
+
+def _provenance(config: Config) -> dict[str, str]:
+    """Return what an artifact that is made now tells of who made it."""
+    return {"provenance": json.dumps({"config": settings(config), "environment": environment()}, sort_keys=True)}
 
 
 def _computed(outcomes: Mapping[str, plan.Outcome]) -> dict[str, Any]:

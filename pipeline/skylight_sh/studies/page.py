@@ -8,7 +8,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
-from threadpoolctl import threadpool_limits
 
 from skylight_sh.store import atomic
 from skylight_sh.studies import tabular
@@ -39,9 +38,10 @@ def publish(
 ) -> str:
     """Measure on one thread, then write ``index.html``, a CSV a section and its picture; return all sections as text."""
     from skylight_sh.report import style
+    from skylight_sh.run.blas import one_thread
 
     measured = []
-    with threadpool_limits(1):
+    with one_thread():
         for done, measure in enumerate(sections):
             advance(done, len(sections))
             measured.append(measure())

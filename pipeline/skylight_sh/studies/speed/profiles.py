@@ -129,7 +129,7 @@ def _build(config: Config) -> tuple[float, Table, float]:
     wanted = [step for step in steps(config) if step.stage in ("truth", "fit", "select", "measure")]
     with tempfile.TemporaryDirectory() as folder:
         start = time.perf_counter()
-        _, made = plan.execute(wanted, Store(Path(folder)), {}, silent, lambda _: None, wanted=("select", "measure"))
+        _, made = plan.execute(wanted, Store(Path(folder)), dict, silent, lambda _: None, wanted=("select", "measure"))
         seconds = time.perf_counter() - start
     name = config.export.recommended
     table = read_table(made["select"], f"tables/{name}")

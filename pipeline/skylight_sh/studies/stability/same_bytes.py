@@ -18,10 +18,10 @@ from tempfile import TemporaryDirectory
 
 import click
 import numpy as np
-from threadpoolctl import threadpool_limits
 
 from skylight_sh.config.schema import Config
 from skylight_sh.run import plan
+from skylight_sh.run.blas import one_thread
 from skylight_sh.run.files import from_dataset
 from skylight_sh.run.runner import run, steps
 from skylight_sh.run.stages import origins
@@ -100,7 +100,7 @@ def study(config: Config, store: Store, seeds: int) -> Iterator[str]:
     """Yield a line a seed and the sum of it all. Raises as ``outputs``."""
     bare = config.model_copy(update={"report": config.report.model_copy(update={"figures": ()})})
     truths = truths_of(config, store)
-    with threadpool_limits(1):
+    with one_thread():
         quiet = outputs(bare, truths)
         changed, expected = 0, 0
         for seed in range(seeds):
