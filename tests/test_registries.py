@@ -70,7 +70,7 @@ class Even(Relative):
     scale: float = 1.0
     """luminance in cd/m2 with the sun in the zenith"""
     model: Literal["even"] = "even"
-    """The even sky."""
+    """A sky that is as bright everywhere as the sun is high."""
 
     @property
     def title(self) -> str:
@@ -94,11 +94,11 @@ from skylight_sh.quadrature import direction_sums
 from skylight_sh.quadrature.rule import Rule, steps
 
 
-def project(light, parameters, *, nodes, bands, mirrored):
+def project(light, parameters, *, nodes, harmonics):
     z, phi = np.meshgrid((np.arange(nodes) + 0.5) / nodes, (np.arange(nodes) + 0.5) / nodes * 2 * np.pi)
     solid_angles = np.full(nodes * nodes, 2 * np.pi / (nodes * nodes))
     directions = direction_sums.towards(z.ravel(), phi.ravel())
-    return direction_sums.project(light, parameters, (directions, solid_angles), bands, mirrored=mirrored)
+    return direction_sums.project(light, parameters, (directions, solid_angles), harmonics)
 
 
 RULE = Rule("midpoints", project, steps(32, 64, 128))
@@ -123,11 +123,11 @@ from skylight_sh.report.figures.picture import Picture
 
 def draw(data):
     figure = style.figure(2, 2)
-    figure.subplots().plot([data.bands], [1.0], "o")
+    figure.subplots().plot([data.held_out], [1.0], "o")
     return figure
 
 
-PICTURE = Picture("A dot", "Where the bands are.", draw)
+PICTURE = Picture("A dot", "How many sets errors are measured on.", draw)
 '''
 
 
@@ -214,8 +214,9 @@ def test_one_file_and_one_line_add_a_thing_that_works_from_a_config(what: str, t
 
     call("run", str(config), "--store", "store", "--reports", "reports")
     assert (tmp_path / "reports" / "tried" / added.made).stat().st_size
-    name, about = added.line.split('"')[1], added.text.split('"""')[1].removesuffix(".")
-    assert f"{name}: {about}" in json.dumps(json.loads(call("config", "schema")), ensure_ascii=False)
+    name, about = added.line.split('"')[1], added.text.split('"""')[1].partition("\n")[0].removesuffix(".")
+    told = f'"description": "{about}."' if what == "light" else f"{name}: {about}"
+    assert told in json.dumps(json.loads(call("config", "schema")), ensure_ascii=False)
 
 
 @pytest.mark.parametrize("registry", [LIGHTS, RULES, TARGETS, PICTURES], ids=["lights", "rules", "targets", "pictures"])

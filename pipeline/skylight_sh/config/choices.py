@@ -4,16 +4,17 @@ from __future__ import annotations
 
 import ast
 import inspect
+import json
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import reduce
+from functools import lru_cache, reduce
 from itertools import pairwise
 from operator import or_
 from textwrap import dedent
 from typing import Annotated, Any
 
-from pydantic import Field, GetCoreSchemaHandler, GetJsonSchemaHandler
-from pydantic_core import CoreSchema, core_schema
+from pydantic import Field, GetCoreSchemaHandler, GetJsonSchemaHandler, TypeAdapter
+from pydantic_core import CoreSchema, PydanticCustomError, core_schema
 
 from skylight_sh.registry import Registry
 
@@ -38,23 +39,50 @@ class OneOf:
 
 @dataclass(frozen=True)
 class AnyOf:
-    """In ``Annotated[T, AnyOf(types, "model", "what it is")]``: one of the ``types``, told apart by their key ``tag``."""
+    """In ``Annotated[T, AnyOf(types, "model", "what it is")]``: one of the ``types``, told apart by their key ``tag``.
+
+    Only the type that a value names is loaded.
+    """
 
     types: Mapping[str, Any]
     tag: str
     about: str
 
-    def __get_pydantic_core_schema__(self, _: object, handler: GetCoreSchemaHandler) -> CoreSchema:
-        union: Any = reduce(or_, self.types.values())
-        return handler.generate_schema(Annotated[union, Field(discriminator=self.tag)])
+    def __get_pydantic_core_schema__(self, _: object, __: GetCoreSchemaHandler) -> CoreSchema:
+        dump = core_schema.plain_serializer_function_ser_schema(_dump, info_arg=True)
+        return core_schema.no_info_plain_validator_function(self._make, serialization=dump)
 
-    def __get_pydantic_json_schema__(self, schema: CoreSchema, handler: GetJsonSchemaHandler) -> dict[str, Any]:
-        found = handler(schema)
+    def __get_pydantic_json_schema__(self, _: CoreSchema, handler: GetJsonSchemaHandler) -> dict[str, Any]:
+        union: Any = reduce(or_, self.types.values())
+        types: TypeAdapter[Any] = TypeAdapter(Annotated[union, Field(discriminator=self.tag)])
+        about = f"{self.about}: {self.tag} = {', '.join(self.types)}, and that one's options"
+        found = handler(types.core_schema)
         for branch, kind in zip(found["oneOf"], self.types.values(), strict=True):
             keys = handler.resolve_ref_schema(branch)["properties"]
             for name, text in _said_of_fields(kind).items():
                 keys[name]["description"] = text
-        return {**found, "description": f"{self.about}, by its {self.tag} and that one's options: {described(self.types)}"}
+        return {**found, "description": about}
+
+    def _make(self, value: object) -> object:
+        name = value.get(self.tag) if isinstance(value, dict) else None
+        if name is None:
+            raise PydanticCustomError("union_tag_not_found", f"Input should be a table with the key '{self.tag}'")
+        if name not in self.types:
+            known = ", ".join(f"'{known}'" for known in self.types)
+            told = f"Input tag '{name}' found using '{self.tag}' does not match any of the expected tags: {known}"
+            raise PydanticCustomError("union_tag_invalid", "{told}", {"told": told})
+        # JSON mode is strict about types but takes arrays for tuples; what is wrong inside keeps its place.
+        return _adapter(self.types[name]).validate_json(json.dumps(value))
+
+
+@lru_cache(maxsize=32)
+def _adapter(kind: type) -> TypeAdapter[Any]:
+    return TypeAdapter(kind)
+
+
+def _dump(value: object, info: core_schema.SerializationInfo) -> object:
+    kind: Any = type(value)
+    return _adapter(kind).dump_python(value, mode="json" if info.mode_is_json() else "python")
 
 
 def _said_of_fields(kind: type) -> dict[str, str]:
