@@ -16,8 +16,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 from skylight_sh import runtime, sphere
-from skylight_sh.config.validation import usable
 from skylight_sh.export import c_header
+from skylight_sh.export.reserved import usable
 from skylight_sh.fit.axis import Axis
 from skylight_sh.run.runner import Result
 from skylight_sh.runtime import Table

@@ -3,30 +3,16 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Iterator
 
 from skylight_sh.config import surroundings_validation
 from skylight_sh.config.problem import Problem
 from skylight_sh.config.schema import AxisSection, Config
 from skylight_sh.config.wanted import table_names
+from skylight_sh.export import reserved
 from skylight_sh.export.targets import ALWAYS
 from skylight_sh.light.preetham import Preetham
 
-# None of the locals of headers and shaders, such as x0, t1, c2, a3_1 and fade2.
-_NAME = re.compile(r"(?!([a-z]|fade)\d+(_\d+)?$)[a-z][a-z0-9_]{1,31}")
-# Names of the header's and the shaders' own, the store's dimensions, and what C and C++ keep for themselves.
-_TAKEN = """
-bands weights status scale transfer own below row wave depth rest count sun_azimuth wave_cos wave_sin line known acc phi from
-slope grown low high channel weight degree order set gradient worst ready value normal direction lights fallen out sum in
-first last bits room body lower length luminance factor ratio
-auto break case char const continue default do double else enum extern float for goto if inline int long register restrict
-return short signed sizeof static struct switch typedef union unsigned void volatile while
-bool catch class delete explicit export false friend mutable namespace new operator private protected public template this
-throw true try typename using virtual
-fabs fabsf log logf exp expf sin sinf cos cosf tan tanf sqrt sqrtf cbrt cbrtf memset memcpy memcmp
-"""
-_RESERVED = frozenset(_TAKEN.split())
 # A run's length has five bits.
 _PACKED_DEGREE = 30
 # So many parameter sets of one grid would not fit into memory.
@@ -78,11 +64,6 @@ def _scene(config: Config) -> Iterator[Problem]:
         yield Problem("$.scene.ground", list(ground), "A lit ground needs at least 2 bands.")
 
 
-def usable(name: str) -> bool:
-    """Say whether an axis may have this name in headers, shaders and the store."""
-    return bool(_NAME.fullmatch(name)) and name not in _RESERVED
-
-
 def _axes(config: Config) -> Iterator[Problem]:
     domains = {name: domain for name, domain in config.light.domains.items() if name not in config.scene.fixed}
     if not config.axes:
@@ -99,9 +80,9 @@ def _axes(config: Config) -> Iterator[Problem]:
         )
     for i, axis in enumerate(config.axes):
         path = f"$.axes[{i}]"
-        if axis.name in domains and not usable(axis.name):
+        if axis.name in domains and not reserved.usable(axis.name):
             remedy = "A parameter's name becomes a name in C and in files: lower-case letters, digits and _, not x0, not"
-            yield Problem(f"{path}.name", axis.name, f"{remedy} {', '.join(sorted(_RESERVED))}.")
+            yield Problem(f"{path}.name", axis.name, f"{remedy} {', '.join(sorted(reserved.NAMES))}.")
         if axis.name not in domains:
             yield Problem(f"{path}.name", axis.name, f"The light has no such parameter. Use one of: {', '.join(domains)}.")
         elif axis.name in given[:i]:
