@@ -109,5 +109,7 @@ def _meaning(names: Mapping[str, object], name: str) -> str:
     if isinstance(names, Registry):
         return names.about(name)
     entry = names[name]
+    if isinstance(entry, str):
+        return entry
     text = getattr(entry, "about", (entry.__doc__ or "") if callable(entry) else "")
     return str(text).partition("\n")[0].removesuffix(".")

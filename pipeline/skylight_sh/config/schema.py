@@ -20,6 +20,7 @@ from skylight_sh.light import LIGHTS, BlackBox, Fixed, Light, Luminance, Options
 from skylight_sh.quadrature.registry import RULES
 from skylight_sh.report.figures import PICTURES
 from skylight_sh.scene.lamps import LAMPS, Lamp
+from skylight_sh.table.request import LAYOUTS
 
 Name = Annotated[str, Field(pattern=r"^[a-z0-9][a-z0-9_-]{0,39}$")]
 Degree = Annotated[int, Field(ge=0, le=40)]
@@ -104,10 +105,8 @@ class WinnerSection(Section):
         None, description="instead of budgets: one degree an axis, every coefficient kept"
     )
     dtype: DType = Field("float32", description="number type of the table")
-    layouts: tuple[Literal["rows", "packed"], ...] = Field(
-        ("rows",),
-        min_length=1,
-        description="rows: laid out for speed; packed: whole numbers in the fewest bytes (budgets and float32 alone)",
+    layouts: tuple[Annotated[str, OneOf(LAYOUTS, "layout")], ...] = Field(
+        ("rows",), min_length=1, description="layouts of the numbers: a table each"
     )
 
 
