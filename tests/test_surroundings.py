@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import numpy as np
 import OpenImageIO
 import pytest
+from click.testing import CliRunner
 from conftest import ONE_LAYOUT, run_quietly, scene_config
 from numpy.typing import NDArray
 from skylight_sh import runtime, sphere
-from skylight_sh.config import Config, ConfigError
+from skylight_sh.cli import main
+from skylight_sh.config import Config, ConfigError, load
 from skylight_sh.light import spherical_lights
 from skylight_sh.probe.layouts import patches
-from skylight_sh.run import plan
+from skylight_sh.run import plan, scene_problems
 from skylight_sh.run.runner import steps
 from skylight_sh.runtime import Surroundings
 from skylight_sh.scene.surroundings import Clouds, build, mask_bands
@@ -292,4 +295,31 @@ def test_surroundings_that_cannot_be_are_refused(tmp_path: Path, scene: str, mes
     picture(folder / "nan.exr", bad)
     (folder / "c.txt").write_text("clouds", encoding="utf-8")
     with pytest.raises(ConfigError, match=message):
-        config_of(folder, scene)
+        scene_problems.check(config_of(folder, scene))
+
+
+def test_pictures_are_told_at_once_by_the_first_step_and_nothing_is_written(tmp_path: Path) -> None:
+    path = tmp_path / "small.toml"
+    picture(tmp_path / "tiny.png", np.full((2, 2), 0.5))
+    scene = """
+[scene]
+clouds = { image = "none.png", layout = "angular", colour = [1.0, 1.0, 1.0] }
+lights = [
+    { kind = "probe", image = "tiny.png", layout = "angular" },
+    { kind = "point", centre = [0.0, 0.0, 0.0], intensity = [1.0, 1.0, 1.0] },
+]
+"""
+    path.write_text(TEXT + scene, encoding="utf-8")
+    load(path)
+    options = ["--store", str(tmp_path / "store"), "--reports", str(tmp_path / "reports")]
+    for arguments in (["run", str(path), *options], ["config", "check", str(path)]):
+        result = CliRunner().invoke(main, arguments)
+        assert result.exit_code == 2, result.output
+        assert re.search(
+            r"The scene of small has 3 problems:\n"
+            r"  \$\.scene\.clouds\.image = 'none\.png': .*no such file.*\n"
+            r"  \$\.scene\.lights\[0\]\.image = 'tiny\.png': Resolves 1 bands; the winners need 4.*\n"
+            r"  \$\.scene\.lights\[1\] = 'point': A point light stands at its receiver",
+            result.stderr,
+        ), result.stderr
+    assert not [p for p in tmp_path.rglob("*") if p.is_file() and p.name not in ("small.toml", "tiny.png")]

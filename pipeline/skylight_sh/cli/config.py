@@ -26,4 +26,8 @@ def schema() -> None:
 @click.argument("config")
 def check(config: str) -> None:
     """Check CONFIG, a path or a shipped config's name, without running anything."""
-    click.echo(f"{config} holds: run {options.load_config(config, {}).name!r}.")
+    from skylight_sh.run import scene_problems
+
+    loaded = options.load_config(config, {})
+    scene_problems.check(loaded)
+    click.echo(f"{config} holds: run {loaded.name!r}.")

@@ -1,6 +1,7 @@
 """Configs: schema, loading, checks."""
 
-from skylight_sh.config.loading import ConfigError, load, parse
+from skylight_sh.config.loading import load, parse
+from skylight_sh.config.problem import ConfigError
 from skylight_sh.config.schema import Config
 from skylight_sh.config.wanted import table_names, wanted
 

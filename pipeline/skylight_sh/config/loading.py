@@ -10,14 +10,9 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from skylight_sh import UserError
 from skylight_sh.config import extending, schema_errors, sun_range, validation
-from skylight_sh.config.problem import Problem
+from skylight_sh.config.problem import ConfigError, Problem, refusal
 from skylight_sh.config.schema import Config
-
-
-class ConfigError(UserError, ValueError):
-    """A config that cannot be run; its text has one line a problem."""
 
 
 def load(path: str | Path, run: Mapping[str, Any] | None = None) -> Config:
@@ -55,5 +50,4 @@ def parse(raw: dict[str, Any], where: str, folder: Path = Path()) -> Config:
             found = validation.find(config)
             if not found:
                 return config
-    lines = [f"{where} has {len(found)} problem{'s' if len(found) > 1 else ''}:", *(f"  {p}" for p in found)]
-    raise ConfigError("\n".join(lines))
+    raise refusal(where, found)

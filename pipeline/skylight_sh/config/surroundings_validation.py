@@ -1,39 +1,24 @@
-"""What the schema cannot see of a scene's surroundings: whether they fit the light, each other, and their pictures."""
+"""What the schema cannot see of a scene's surroundings: whether they fit the light and each other. No picture is read."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 
-import numpy as np
-from numpy.typing import NDArray
-
-from skylight_sh import MissingExtraError
 from skylight_sh.config.problem import Problem
 from skylight_sh.config.schema import Config
-from skylight_sh.config.surroundings_schema import CloudsSection, OccluderSection
-from skylight_sh.probe import files, project
-from skylight_sh.probe.layouts import most_bands, patches
-from skylight_sh.scene.lamps import Lamp, Probe, Sphere
-from skylight_sh.scene.surroundings import MOST_BANDS, mask_bands
+from skylight_sh.config.surroundings_schema import OccluderSection
+from skylight_sh.scene.lamps import Lamp, Sphere
+from skylight_sh.scene.surroundings import MOST_BANDS
 
-Array = NDArray[np.float64]
-
-# Beyond it float32 ends.
-_BRIGHTEST = 1e30
 _RGB = ("red", "green", "blue")
 
 
 def find(config: Config) -> Iterator[Problem]:
     """Yield every problem."""
     yield from _together(config)
-    yield from _spheres_and_lamps(config)
-    most = max((winner.bands for winner in config.winners), default=1)
-    most = max(most, min(config.truth.bands, MOST_BANDS)) if config.scene.masked else most
-    if config.scene.clouds:
-        yield from _picture(config, "$.scene.clouds.image", config.scene.clouds, mask_bands(most))
-    for path, light in _lights(config):
-        if isinstance(light, Probe):
-            yield from _picture(config, f"{path}.image", light, most)
+    yield from _spheres(config)
+    yield from _pictures(config)
 
 
 def _lights(config: Config) -> list[tuple[str, Lamp]]:
@@ -65,51 +50,28 @@ def _together(config: Config) -> Iterator[Problem]:
         if len(numbers) != len(names):
             yield Problem(path, list(numbers), f"Give one number for each of the channels {', '.join(names)}.")
     for path, light in _lights(config):
-        if isinstance(light, Probe) and (names != _RGB or getattr(config.light, "colour_space", "srgb") != "srgb"):
+        if light.image and (names != _RGB or getattr(config.light, "colour_space", "srgb") != "srgb"):
             remedy = "A picture is in linear sRGB. Use a light of red, green and blue in that space."
             yield Problem(f"{path}.image", light.image, remedy)
 
 
-def _spheres_and_lamps(config: Config) -> Iterator[Problem]:
+def _spheres(config: Config) -> Iterator[Problem]:
     """Yield what cannot be seen from the origin."""
     balls: dict[str, Sphere | OccluderSection] = {}
     balls |= {path: light for path, light in _lights(config) if isinstance(light, Sphere)}
     balls |= {f"$.scene.occluders[{i}]": occluder for i, occluder in enumerate(config.scene.occluders)}
-    inside = {path: ball for path, ball in balls.items() if not ball.radius <= np.linalg.norm(ball.centre)}
-    for path, ball in inside.items():
-        away = f"its centre is {np.linalg.norm(ball.centre):g} away"
-        yield Problem(f"{path}.radius", ball.radius, f"The receiver, at the origin, lies inside: {away}. Make it smaller.")
-    for path, light in _lights(config):
-        if light.image or path in inside:
-            continue
-        try:
-            largest = float(np.abs(light.weights(2, _unread)).max())
-        except ValueError as error:
-            yield Problem(path, light.kind, str(error))
-            continue
-        if not largest <= _BRIGHTEST:
-            told = f"Its weights reach {largest:.3g}. Dim it, or move it away: {_BRIGHTEST:g} is the most."
-            yield Problem(path, light.kind, told)
+    for path, ball in balls.items():
+        away = math.hypot(*ball.centre)
+        if not ball.radius <= away:
+            told = f"The receiver, at the origin, lies inside: its centre is {away:g} away. Make it smaller."
+            yield Problem(f"{path}.radius", ball.radius, told)
 
 
-def _unread(image: str) -> Array:
-    raise ValueError(f"{image} is read by a lamp that names no picture.")
-
-
-def _picture(config: Config, path: str, section: CloudsSection | Probe, needed: int) -> Iterator[Problem]:
-    try:
-        if "\0" in section.image or not (config.folder / section.image).resolve().is_relative_to(config.folder.resolve()):
-            yield Problem(path, section.image, "Leaves the config's folder. Put the picture beside the config, or below.")
-            return
-        place = config.file(section.image)
-        pixels = files.read_mask(place) if isinstance(section, CloudsSection) else files.read(place).pixels
-        most = most_bands(patches(section.layout, *pixels.shape[:2]))
-        if isinstance(section, Probe):
-            project(pixels, section.layout, 1)
-            if not section.brightness * float(pixels.max()) <= _BRIGHTEST:
-                yield Problem(path, section.image, f"brightness times its largest pixel exceeds {_BRIGHTEST:g}. Lower it.")
-    except (ValueError, OSError, MissingExtraError) as error:
-        yield Problem(path, section.image, str(error))
-        return
-    if most < needed:
-        yield Problem(path, section.image, f"Resolves {most} bands; the winners need {needed}. Take a larger picture.")
+def _pictures(config: Config) -> Iterator[Problem]:
+    """Yield the pictures that lie elsewhere; none is read."""
+    named = [("$.scene.clouds.image", config.scene.clouds.image)] if config.scene.clouds else []
+    named += [(f"{path}.image", light.image) for path, light in _lights(config) if light.image]
+    folder = config.folder.resolve()
+    for path, image in named:
+        if "\0" in image or not (folder / image).resolve().is_relative_to(folder):
+            yield Problem(path, image, "Leaves the config's folder. Put the picture beside the config, or below.")

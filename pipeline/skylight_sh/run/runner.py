@@ -22,8 +22,9 @@ from skylight_sh.store import atomic
 from skylight_sh.store.store import Store
 
 SUMS = "SHA256SUMS"
-# The order is the pipeline's: each stage reads only what stands before it.
-STAGES = (truth, variables, surroundings, fit, origins, select, measure, export, report)
+# The order is the pipeline's: each stage reads only what stands before it. What the config's own pictures and lamps may
+# still have wrong with them is told first.
+STAGES = (surroundings, truth, variables, fit, origins, select, measure, export, report)
 
 
 @dataclass(frozen=True)

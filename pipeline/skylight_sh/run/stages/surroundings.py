@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import hashlib
 from functools import partial
-from importlib.metadata import version
+from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,10 +14,12 @@ from skylight_sh import probe
 from skylight_sh.config.schema import Config
 from skylight_sh.light import spherical_lights
 from skylight_sh.probe import files
+from skylight_sh.run import scene_problems
 from skylight_sh.run.executors import Advance
 from skylight_sh.run.plan import Inputs, Step
+from skylight_sh.run.scene_problems import bands_of
 from skylight_sh.scene import lamps
-from skylight_sh.scene.surroundings import MOST_BANDS, Clouds, build, mask_bands, rounded
+from skylight_sh.scene.surroundings import Clouds, build, mask_bands, rounded
 from skylight_sh.store.dataset import Dataset, Variable
 from skylight_sh.table.surroundings import PARTS
 
@@ -32,21 +35,31 @@ def steps(config: Config) -> list[Step]:
     pictures += [scene.clouds.image] if scene.clouds else []
     parameters = {
         "scene": scene.model_dump(mode="json"),
-        "pictures": [hashlib.sha256((config.folder / image).read_bytes()).hexdigest() for image in pictures],
-        "reader": version("OpenImageIO") if pictures else "",
+        "pictures": [_sum(config.file(image)) for image in pictures],
+        "reader": _reader() if pictures else "",
         "bands": bands_of(config),
         "channels": config.source.channels,
     }
     return [Step("truth", "surroundings", (), parameters, partial(_make, config))]
 
 
-def bands_of(config: Config) -> list[int]:
-    """Return the winners' numbers of bands, and that of a wider sky to hold their products against."""
-    asked = {winner.bands for winner in config.winners}
-    return sorted(asked | {min(config.truth.bands, MOST_BANDS)} if config.scene.masked else asked)
+def _reader() -> str:
+    try:
+        return version("OpenImageIO")
+    except PackageNotFoundError:
+        return ""
+
+
+def _sum(picture: Path) -> str:
+    """Return the SHA-256 of a picture, or nothing where it cannot be read: the step then tells why."""
+    try:
+        return hashlib.sha256(picture.read_bytes()).hexdigest()
+    except OSError:
+        return ""
 
 
 def _make(config: Config, _: Inputs, advance: Advance) -> Dataset:
+    scene_problems.check(config)
     scene, asked = config.scene, bands_of(config)
     # Pictures are read once: the weights of fewer bands are the first of those of more.
     clouds = _clouds(config, mask_bands(asked[-1]))
@@ -72,7 +85,7 @@ def _make(config: Config, _: Inputs, advance: Advance) -> Dataset:
 
 
 def _read(config: Config, image: str) -> NDArray[np.floating]:
-    return files.read(config.folder / image).pixels
+    return files.read(config.file(image)).pixels
 
 
 def _occluders(config: Config) -> tuple[Array, Array] | None:
@@ -85,5 +98,5 @@ def _clouds(config: Config, bands: int) -> Clouds | None:
     clouds = config.scene.clouds
     if clouds is None:
         return None
-    pixels = files.read_mask(config.folder / clouds.image)
+    pixels = files.read_mask(config.file(clouds.image))
     return Clouds(clouds.opacity * probe.project(pixels, clouds.layout, bands)[0], clouds.colour)
