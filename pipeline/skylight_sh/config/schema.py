@@ -19,6 +19,7 @@ from skylight_sh.formula.variables import VARIABLES
 from skylight_sh.light import LIGHTS, BlackBox, Fixed, Light, Luminance, OptionsOfLight
 from skylight_sh.quadrature.registry import RULES
 from skylight_sh.report.figures import PICTURES
+from skylight_sh.scene.fold import Quantity
 from skylight_sh.scene.lamps import LAMPS, Lamp
 from skylight_sh.table.request import LAYOUTS
 
@@ -150,7 +151,7 @@ class SceneSection(Section):
     """What a scene needs: what it does not need is not computed."""
 
     channels: Literal["all", "luminance"] = Field("all", description="all of the light's channels, or luminance alone")
-    quantity: Literal["radiance", "irradiance"] = Field(
+    quantity: Quantity = Field(
         "radiance", description="radiance (for precomputed transfer), or diffuse irradiance in lux, not divided by pi"
     )
     ground: Literal["black", "mirror"] | tuple[Annotated[float, Field(ge=0.0, le=1.0)], ...] = Field(
