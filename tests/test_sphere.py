@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import ast
 import math
 from collections.abc import Callable
+from importlib import import_module
+from pathlib import Path
 
 import mpmath
 import numpy as np
@@ -114,3 +117,15 @@ def test_unmirror_puts_exact_zeros_at_negative_orders() -> None:
 def test_errors_name_the_value(call: Callable[[], object], match: str) -> None:
     with pytest.raises(ValueError, match=match):
         call()
+
+
+def test_every_name_is_looked_up_where_it_is_written() -> None:
+    """Names come late, from the first module that has one of that name: it must be the one that types are read from."""
+    (block,) = (
+        node for node in ast.parse(Path(sphere.__file__).read_text(encoding="utf-8")).body if isinstance(node, ast.If)
+    )
+    homes = {alias.name: node.module for node in block.body if isinstance(node, ast.ImportFrom) for alias in node.names}
+    assert sorted(homes) == sorted(sphere.__all__)
+    for name, home in homes.items():
+        assert getattr(sphere, name) is getattr(import_module(str(home)), name)
+    assert not hasattr(sphere, "legendres")

@@ -109,6 +109,11 @@ def main() -> None:
     """
 
 
+def warn(text: str) -> None:
+    """Tell the user something that ends nothing."""
+    click.echo(f"Warning: {text}", err=True)
+
+
 def start() -> None:
     """Run the command line as a program."""
     # A run computes with one BLAS thread in each of its own; starting more takes as long as importing NumPy.

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 import click
 
 from skylight_sh import UserError
-from skylight_sh.cli.options import warn
-from skylight_sh.export.engines.profiles import PROFILES
+from skylight_sh.cli import warn
+from skylight_sh.export.engine_profiles import PROFILES
 
 if TYPE_CHECKING:
     import numpy as np

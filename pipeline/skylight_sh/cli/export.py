@@ -10,7 +10,7 @@ import click
 
 from skylight_sh import UserError
 from skylight_sh.cli import evaluate as asked
-from skylight_sh.cli.options import warn
+from skylight_sh.cli import warn
 
 
 @click.command()

@@ -37,8 +37,3 @@ def load_config(name: str, overrides: dict[str, Any]) -> Config:
     from skylight_sh.config import load
 
     return load(shipped.find(name), {key: value for key, value in overrides.items() if value is not None})
-
-
-def warn(text: str) -> None:
-    """Tell the user something that ends nothing."""
-    click.echo(f"Warning: {text}", err=True)

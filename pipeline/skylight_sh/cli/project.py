@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 import click
 
 from skylight_sh import UserError
+from skylight_sh.cli import warn
 from skylight_sh.cli.evaluate import show_weights
-from skylight_sh.cli.options import warn
 from skylight_sh.probe.layouts import LAYOUTS
 
 if TYPE_CHECKING:

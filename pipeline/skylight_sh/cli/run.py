@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from skylight_sh.cli import options
+from skylight_sh.cli import options, warn
 
 
 @click.command()
@@ -28,7 +28,7 @@ def run(config: str, executor: str | None, workers: int | None, store: Path, rep
     from skylight_sh.store.store import Store
 
     loaded = options.load_config(config, {"executor": executor, "workers": workers})
-    result = run_config(loaded, Store(store), reports, options.warn)
+    result = run_config(loaded, Store(store), reports, warn)
     for stage, facts in result.stages.items():
         click.echo(f"{stage:<8} {facts['seconds']:7.2f} s{'  cached' if facts['cached'] else ''}")
     click.echo()

@@ -8,7 +8,7 @@ from pathlib import Path
 import click
 
 from skylight_sh import UserError
-from skylight_sh.cli import options
+from skylight_sh.cli import options, warn
 
 
 @click.command()
@@ -34,7 +34,7 @@ def verify(result: Path, config: str | None, store: Path | None) -> None:
     try:
         given = options.load_config(config, {}) if config else None
         chosen = Store(store) if store else None
-        found = list(verification.verify(result, given, chosen, options.warn))
+        found = list(verification.verify(result, given, chosen, warn))
     except ValueError as error:
         raise UserError(str(error)) from error
     for verdict in found:
