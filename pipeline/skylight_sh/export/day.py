@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import json
+import math
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from datetime import date
@@ -19,7 +20,6 @@ from skylight_sh.export import engines
 from skylight_sh.runtime import CLAMPED, INVALID, Runtime, Table
 from skylight_sh.scene import solar
 from skylight_sh.store import atomic
-from skylight_sh.table import twilight
 
 Array = NDArray[np.float64]
 Night = Literal["skip", "zero"]
@@ -73,7 +73,8 @@ def tabulate(table: Runtime, request: Request) -> Day:
         (moment.isoformat(), *solar.position(request.place, moment))
         for moment in solar.moments(request.date, request.timezone, request.step)
     ]
-    night = twilight.END if table.table.spec.twilight else twilight.BEGIN
+    fading = table.table.spec.twilight
+    night = math.pi / 2 + (fading.depth if fading else 0.0)
     up = [zenith <= night for _, zenith, _ in places]
     kept = [place for place, shines in zip(places, up, strict=True) if shines or request.night == "zero"]
     zeniths, azimuths = [zenith for _, zenith, _ in kept], [azimuth for _, _, azimuth in kept]
