@@ -1,4 +1,4 @@
-"""The package as others install it: a wheel, in an environment that has NumPy and click alone, and in one that has the rest."""
+"""The package as others install it: a wheel, in an environment that has NumPy and click alone, or the rest too."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ import numpy as np
 import pytest
 from conftest import ROOT
 from skylight_sh import __version__, runtime
-from skylight_sh.export.engines.profiles import PROFILES
+from skylight_sh.export.engine_profiles import PROFILES
 from skylight_sh.run.runner import Result
 
 SOURCE = ("pipeline", "configs", "pyproject.toml", "setup.py", "MANIFEST.in", "README.md", "LICENSE")
