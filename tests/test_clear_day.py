@@ -70,7 +70,7 @@ def test_a_table_holds_sky_and_sun(tmp_path: Path) -> None:
         found[disc] = runtime.load(result.folder / "export" / "skylight_sh.npz")
         header = (result.folder / "export" / "skylight_sh.h").read_text(encoding="utf-8")
         assert ("0.2665 degrees" in header) == (disc == "true")
-        assert found[disc].table.sun_disc == (disc == "true")
+        assert found[disc].table.spec.sun_disc == (disc == "true")
     for theta, phi, tau in ((0.2, 0.5, 2.6), (0.9, 3.0, 5.9), (1.2, -2.0, 3.3)):
         added = found["true"].weights(theta, phi, tau).astype(np.float64) - found["false"].weights(theta, phi, tau)
         expected = sun_disc.weights(theta, phi, tau, 4)

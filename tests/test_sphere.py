@@ -16,6 +16,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 from skylight_sh import sphere
+from skylight_sh.runtime import flat_places
 
 Array = NDArray[np.float64]
 
@@ -100,6 +101,24 @@ def test_window_touches_zonal_weights_alone() -> None:
     assert degrees[orders == 0].tolist() == [0, 1, 2, 3]
 
 
+@pytest.mark.parametrize("held", [sphere.Harmonics(6), sphere.Harmonics.even(6), sphere.Harmonics(1)])
+def test_harmonics_hold_degrees_and_orders_in_flat_order(held: sphere.Harmonics) -> None:
+    pairs = [(l, m) for l in range(held.bands) for m in range(0 if held.mirrored else -l, l + 1)]
+    assert list(zip(held.degrees.tolist(), held.orders.tolist(), strict=True)) == pairs
+    assert (
+        held.flat.tolist()
+        == [sphere.flat_index(l, m) for l, m in pairs]
+        == flat_places(held.bands, mirrored=held.mirrored).tolist()
+    )
+    assert held.triangle.tolist() == [l * (l + 1) // 2 + abs(m) for l, m in pairs]
+    assert held.count == len(pairs) == held.degrees.size
+    assert sphere.Harmonics.of_degrees(held.degrees) == held
+    first = held.first(1)
+    assert np.array_equal(held.flat[: first.count], first.flat)
+    with pytest.raises(ValueError, match="read-only"):
+        held.degrees[0] = 1
+
+
 def test_unmirror_puts_exact_zeros_at_negative_orders() -> None:
     half = np.arange(1.0, 7.0)
     assert sphere.Harmonics.even(3).unmirror(half).tolist() == [1, 0, 2, 3, 0, 0, 4, 5, 6]
@@ -111,7 +130,10 @@ def test_unmirror_puts_exact_zeros_at_negative_orders() -> None:
         (lambda: sphere.flat_index(1, 2), "degree 1 and order 2"),
         (lambda: sphere.basis(np.zeros((1, 3)), 0), "number of bands 0"),
         (lambda: sphere.evaluate(np.zeros(5), np.zeros((1, 3))), "5 weights"),
-        (lambda: sphere.Harmonics.even(3).unmirror(np.zeros(5)), "6 weights"),
+        (lambda: sphere.Harmonics.even(3).unmirror(np.zeros(5)), "6 weights of order m >= 0, .* holds 5"),
+        (lambda: sphere.Harmonics(2).unmirror(np.zeros(5)), "4 weights of all orders, .* holds 5"),
+        (lambda: sphere.Harmonics(0), "number of bands 0"),
+        (lambda: sphere.Harmonics.of_degrees(np.array([0, 1, 1, 1, 2])), "5 weights of degrees up to 2"),
     ],
 )
 def test_errors_name_the_value(call: Callable[[], object], match: str) -> None:
