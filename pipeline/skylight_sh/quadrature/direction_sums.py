@@ -21,7 +21,16 @@ _BLOCK = 8_000_000
 
 
 def project(light: Light, parameters: Parameters, nodes: tuple[Array, Array], harmonics: sphere.Harmonics) -> Samples:
-    """Return the samples of the sets ``parameters``, of any shape, from ``nodes``: directions and their solid angles."""
+    """Integrate radiance times ``y_lm`` for ``parameters`` of any one shape ``(...)``: weights ``(..., channels, count)``.
+
+    ``nodes`` are directions ``(n, 3)`` and their solid angles ``(n,)`` in sr. At most 64 MB of them are held at once.
+
+    >>> from skylight_sh.light.cie_traditional import CieTraditional
+    >>> from skylight_sh.quadrature import zenith_gauss
+    >>> sky, at = CieTraditional(sky="overcast"), {"sun_zenith": np.array([0.4])}
+    >>> project(sky, at, zenith_gauss.directions(8), sphere.Harmonics.even(2)).weights[0, 0, :2].round(4).tolist()
+    [1.1816, 1.1939]
+    """
     sets = np.broadcast_shapes(*(values.shape for values in parameters.values()))
     named = {name: np.broadcast_to(values, sets).reshape(-1, 1) for name, values in parameters.items()}
     channels = len(light.channels)
@@ -42,7 +51,15 @@ def project(light: Light, parameters: Parameters, nodes: tuple[Array, Array], ha
 
 
 def project_one(light: Light, parameters: Mapping[str, float], directions: Array, weighted_basis: Array) -> Array:
-    """Sum one parameter set's SH weights, ``(channels, count)``, with a basis tabulated once by ``tabulate``."""
+    """Sum one parameter set's SH weights, ``(channels, count)``, with a basis tabulated once by ``tabulate``.
+
+    >>> from skylight_sh.light.cie_traditional import CieTraditional
+    >>> from skylight_sh.quadrature import zenith_gauss
+    >>> directions, solid_angles = zenith_gauss.directions(8)
+    >>> table = tabulate(directions, solid_angles, 1)
+    >>> project_one(CieTraditional(sky="overcast"), {"sun_zenith": 0.4}, directions, table).round(4).tolist()
+    [[1.1816]]
+    """
     named = {name: np.array([value]) for name, value in parameters.items()}
     return np.asarray(light.radiance(directions, named).T @ weighted_basis)
 

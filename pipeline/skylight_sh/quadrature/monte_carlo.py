@@ -15,7 +15,9 @@ Array = NDArray[np.float64]
 
 
 def directions(n: int, seed: int) -> tuple[Array, Array]:
-    """Return one random direction in each of n x n equal-area cells (Green 2003), seeded.
+    """Return unit vectors ``(n n, 3)`` and solid angles ``(n n,)`` in sr of the upper hemisphere.
+
+    One random direction in each of n x n equal-area cells (Green 2003, "Spherical Harmonic Lighting"), seeded.
 
     >>> where, solid_angles = directions(4, seed=1)
     >>> where.shape, float((solid_angles.sum() / (2 * np.pi)).round(6))

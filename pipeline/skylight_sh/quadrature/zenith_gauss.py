@@ -15,7 +15,9 @@ Array = NDArray[np.float64]
 
 
 def directions(n: int) -> tuple[Array, Array]:
-    """Return Gauss-Legendre in the zenith's cosine (n nodes) times 2n uniform azimuths.
+    """Return unit vectors ``(2 n n, 3)`` and solid angles ``(2 n n,)`` in sr of the upper hemisphere.
+
+    Gauss-Legendre in the zenith's cosine (n nodes) times 2n uniform azimuths.
 
     >>> where, solid_angles = directions(4)
     >>> where.shape, float((solid_angles.sum() / (2 * np.pi)).round(6))
