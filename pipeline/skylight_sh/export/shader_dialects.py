@@ -10,6 +10,8 @@ import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
+from skylight_sh.registry import Registry
+
 # Two underscores, and what these begin with, are the languages' own.
 _RESERVED_PREFIX = re.compile(r"gl_|webgl_|.*__|.*_$")
 
@@ -147,4 +149,10 @@ WGSL = Dialect(
     result_parameter_form="{name}: ptr<function, array<{type}, {size}>>",
     element_form="(*{name})[{index}]",
 )
-DIALECTS: Mapping[str, Dialect] = {dialect.extension: dialect for dialect in (GLSL, HLSL, WGSL)}
+DIALECTS: Registry[Dialect] = Registry(
+    {
+        "glsl": "skylight_sh.export.shader_dialects:GLSL",
+        "hlsl": "skylight_sh.export.shader_dialects:HLSL",
+        "wgsl": "skylight_sh.export.shader_dialects:WGSL",
+    }
+)

@@ -1,0 +1,299 @@
+"""The documentation: what it names exists, what it lists is all there is, and its examples give what they show."""
+
+from __future__ import annotations
+
+import ast
+import csv
+import doctest
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tomllib
+from dataclasses import dataclass, fields
+from pathlib import Path
+
+import numpy as np
+import pytest
+from conftest import ROOT
+from skylight_sh import runtime
+from skylight_sh.export import vectors
+from skylight_sh.light.preetham import Preetham
+from skylight_sh.quadrature import rings, sun_centred
+from skylight_sh.quadrature.registry import RULES
+from skylight_sh.run.runner import Result
+from skylight_sh.sphere import Harmonics
+from skylight_sh.store import hdf5
+
+DOCS = sorted((ROOT / "docs").glob("*.md"))
+PAGES = [*DOCS, ROOT / "README.md", ROOT / "CONTRIBUTING.md"]
+PACKAGE = ROOT / "pipeline" / "skylight_sh"
+FORMATS = ROOT / "docs" / "formats.md"
+WIDTH = 127
+_NAME = r"(?!The|January|April|June|September|Publications?|Dissertation|Press|Books|Papers)[A-Z][a-z]{2,}"
+_NAMES = rf"{_NAME}(?:, {_NAME})*(?:,? and (?:{_NAME}|others)| et al\.)?"
+
+
+def text(page: Path) -> str:
+    return page.read_text(encoding="utf-8")
+
+
+def prose(page: Path) -> str:
+    """A page without its fenced blocks."""
+    return re.sub(r"^```.*?^```", "", text(page), flags=re.DOTALL | re.MULTILINE)
+
+
+def section(title: str) -> str:
+    """What stands under a heading of formats.md."""
+    found = re.search(rf"^#+ `?{re.escape(title)}`?\n(.*?)(?=^#|\Z)", text(FORMATS), re.DOTALL | re.MULTILINE)
+    assert found, title
+    return found[1]
+
+
+def listed(title: str) -> list[str]:
+    """The names in the first column of a section's table, in their order; some rows name several."""
+    first = [line.split("|")[1] for line in section(title).splitlines() if line.startswith("| `")]
+    return [name for cell in first for name in re.findall(r"`([^`]+)`", cell)]
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+def test_links_lead_somewhere(page: Path) -> None:
+    for link in re.findall(r"\]\(([^)\s]+)\)", prose(page)):
+        if "://" in link:
+            continue
+        path, _, place = link.partition("#")
+        target = (page.parent / path).resolve() if path else page
+        assert target.exists(), f"{page.name}: {link}"
+        assert target.is_relative_to(ROOT), f"{page.name}: {link}"
+        if place:
+            assert place in anchors(target), f"{page.name}: {link}"
+
+
+def anchors(page: Path) -> set[str]:
+    """The places that headings make, as a page's renderer names them."""
+    titles = re.findall(r"^#+ (.+)$", prose(page), re.MULTILINE)
+    return {re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-") for title in titles}
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+def test_modules_and_files_that_are_named_exist(page: Path) -> None:
+    """A path in code marks is one of the repository, or one under ``pipeline/skylight_sh``."""
+    for name in re.findall(r"`([\w.\-]+(?:/[\w.\-]+)*\.(?:py|toml|h|j2|md)|[\w.\-]+(?:/[\w.\-]+)*/)`", prose(page)):
+        places = [ROOT / name, PACKAGE / name, page.parent / name]
+        written = name.startswith(("reports/", "artifacts/", "export/", "skylight_sh.")) or f"File `{name}`:" in text(page)
+        assert written or any(place.exists() for place in places), f"{page.name} names {name}"
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+def test_names_of_this_package_exist(page: Path) -> None:
+    """``skylight_sh.a.b`` is a module, or a name in one."""
+    for name in set(re.findall(r"\bskylight_sh(?:\.[a-z_]\w*)+", text(page))):
+        parts = name.split(".")[1:]
+        shown = f"File `{'/'.join(parts)}.py`:" in text(page)
+        if shown or parts[0] in ("h", "npz", "glsl", "hlsl", "wgsl", "slang", "json", "lights"):
+            continue
+        assert _found(parts), f"{page.name} names {name}"
+
+
+def _found(parts: list[str]) -> bool:
+    for length in range(len(parts), -1, -1):
+        place = PACKAGE.joinpath(*parts[:length])
+        file = place / "__init__.py" if place.is_dir() else place.with_suffix(".py")
+        if file.is_file():
+            rest = parts[length:]
+            return not rest or re.search(rf"\b{rest[0]}\b", file.read_text(encoding="utf-8")) is not None
+    return False
+
+
+@pytest.mark.parametrize("page", DOCS, ids=lambda page: page.name)
+def test_examples_give_what_they_show(page: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(ROOT)
+    done = doctest.testfile(str(page), module_relative=False, optionflags=doctest.NORMALIZE_WHITESPACE)
+    assert done.failed == 0
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+def test_lines_are_short_and_fences_close(page: Path) -> None:
+    assert text(page).count("\n```") % 2 == 0
+    for line in prose(page).splitlines():
+        # A table's row and a formula cannot be broken.
+        assert len(line) <= WIDTH or line.startswith(("|", "$$")), line
+
+
+@pytest.mark.parametrize("kind", runtime.KINDS, ids=str)
+def test_every_field_of_a_table_is_listed(kind: str) -> None:
+    assert listed(kind) == [field.name for field in fields(runtime.KINDS[kind])]
+
+
+def test_versions_and_steps_are_the_ones_told() -> None:
+    assert f"`format`, {runtime.FORMAT}, and" in section("The NPZ of a table")
+    assert f"layout of the store, {hdf5.SCHEMA_VERSION} |" in section("The artifact store")
+    assert f"version of the format, {vectors.FORMAT} |" in section("Test vectors")
+    told = section("Program")
+    assert all(f"`{name}`" in told for name in runtime.FUNCTIONS)
+    assert "`+ - * /`" in told
+
+
+def test_errors_and_summary_have_the_columns_listed(small_run: Result) -> None:
+    axes = ("sun_zenith", "turbidity")
+    columns = [c.replace("<axis>", axis) for c in listed("errors.csv and references.csv") for axis in _each(c, axes)]
+    for name, more in (("errors.csv", []), ("references.csv", ["note"])):
+        with (small_run.folder / name).open(encoding="utf-8", newline="") as file:
+            assert next(csv.reader(file)) == [*columns, *more]
+    rows = json.loads((small_run.folder / "summary.json").read_text(encoding="utf-8"))["tables"]
+    assert [list(row) for row in rows] == [listed("summary.json")] * len(rows)
+    assert set(json.loads((small_run.folder / "run.json").read_text(encoding="utf-8"))) == set(listed("run.json"))
+
+
+def _each(column: str, axes: tuple[str, ...]) -> tuple[str, ...]:
+    return axes if "<axis>" in column else axes[:1]
+
+
+def test_every_step_of_the_store_is_listed(small_run: Result) -> None:
+    steps = {step for facts in small_run.stages.values() for step in facts.get("artifacts", ())}
+    assert steps <= set(listed("The artifact store"))
+    sources = [path.read_text(encoding="utf-8") for path in (PACKAGE / "run" / "stages").glob("*.py")]
+    calls = [node for source in sources for node in ast.walk(ast.parse(source)) if isinstance(node, ast.Call)]
+    made = [call for call in calls if isinstance(call.func, ast.Name) and call.func.id == "Step"]
+    parts = [tuple(a.value for a in call.args[:2] if isinstance(a, ast.Constant)) for call in made]
+    named = {"/".join(filter(None, part)) for part in parts if len(part) == 2}
+    assert named
+    assert named <= set(listed("The artifact store"))
+
+
+def test_keys_of_vectors_are_listed(small_run: Result) -> None:
+    sky = runtime.read(small_run.folder / "export" / "skylight_sh.npz")
+    lines = vectors.write(sky).splitlines()
+    assert [line.split()[0] for line in lines[:7]] == listed("Test vectors")
+
+
+def test_macros_and_functions_of_the_header_are_there(small_run: Result) -> None:
+    header = (small_run.folder / "export" / "skylight_sh.h").read_text(encoding="utf-8")
+    for name in listed("The C header"):
+        plain = name.partition("(")[0].replace("<AXIS>", "SUN_ZENITH")
+        whole = re.sub(r"^P_", "SKYLIGHT_SH_", re.sub(r"^p_", "skylight_sh_", plain))
+        assert re.search(rf"\b{whole}\b", header), whole
+
+
+def test_every_citation_has_an_entry() -> None:
+    """``Name 2008``, ``Name and Other 2001``, ``Name et al. 1999``, as docstrings and pages write them."""
+    entries = text(ROOT / "docs" / "references.md")
+    cited = {}
+    for path in [*PACKAGE.rglob("*.py"), *PACKAGE.rglob("*.j2"), *DOCS]:
+        for names, year in re.findall(rf"({_NAMES}),? \(?((?:19|20)\d\d)\b", text(path)):
+            cited[f"{names} {year}"] = path.name
+    assert len(cited) > 25
+    for citation, where in sorted(cited.items()):
+        first, year = re.split(r",| ", citation)[0], citation[-4:]
+        assert re.search(rf"\b{first}\b[^|]*\b{year}\b", entries), f"{where} cites {citation}"
+
+
+def test_every_reference_is_used() -> None:
+    """A row's modules cite it."""
+    for row in re.findall(r"^\| .* \|$", text(ROOT / "docs" / "references.md"), re.MULTILINE):
+        citation, _, used = (cell.strip() for cell in row.strip("|").split(" | "))
+        if citation == "citation":
+            continue
+        for name in re.findall(r"`([\w/]+\.py)`", used):
+            source = text(PACKAGE / name)
+            words = re.findall(r"[A-Z][A-Za-z']+|\d{4}", citation)
+            assert any(word in source for word in words), f"{name} does not cite {citation}"
+
+
+def test_every_part_of_the_mathematics_names_its_module_and_source() -> None:
+    parts = re.split(r"^## ", text(ROOT / "docs" / "mathematics.md"), flags=re.MULTILINE)[1:]
+    for part in parts:
+        opening = part.partition("\n\n")[2].partition("\n\n")[0]
+        assert re.match(r"Modules?: `[\w/]+(\.py|/)`", opening), part[:60]
+        assert "Source:" in opening, part[:60]
+
+
+def test_formulas_are_what_their_renderer_keeps() -> None:
+    """It takes a backslash before punctuation away, and knows no ``operatorname``."""
+    for page in DOCS:
+        for formula in re.findall(r"\$\$.+?\$\$|\$[^$\n]+\$", prose(page)):
+            assert not re.search(r"\\[^A-Za-z]|operatorname|[_^]\*", formula), f"{page.name}: {formula}"
+
+
+def test_rules_converge_as_told() -> None:
+    """The table of errors, measured again: its samples exactly, its errors within a factor of two."""
+    told = re.search(r"<!-- convergence -->\n(.*?)<!-- /convergence -->", text(ROOT / "docs" / "mathematics.md"), re.DOTALL)
+    assert told
+    light, where = Preetham(), {"sun_zenith": np.array([[1.2]]), "turbidity": np.array([[3.0]])}
+    exact = sun_centred.project(light, where, nodes=160, harmonics=Harmonics.even(7)).weights
+    samples = {
+        "sun-centred": lambda n: len(sun_centred.half_sky(1.2, n)[1]),
+        "rings": lambda n: len(rings.half_sky(1.2, n, 7)[1]),
+        "zenith": lambda n: 2 * n * n,
+        "stratified": lambda n: n * n,
+    }
+    rows = [[cell.strip() for cell in line.strip("|").split("|")] for line in told[1].splitlines()[2:]]
+    assert len(rows) > 10
+    for rule, nodes, count, error in rows:
+        n = int(nodes)
+        found = RULES[rule].project(light, where, nodes=n, harmonics=Harmonics.even(7)).weights
+        off = float((np.abs(found - exact).max(axis=-1) / np.abs(exact).max(axis=-1)).max())
+        assert samples[rule](n) == int(count.replace(",", "")), (rule, n)
+        assert off < 2 * float(error), (rule, n, off)
+        # Rounding has no lower bound.
+        assert off > float(error) / 2 or float(error) < 1e-13, (rule, n, off)
+
+
+@dataclass(frozen=True)
+class Example:
+    """A fenced block of extending.md: its language, the words before it and its text."""
+
+    language: str
+    before: str
+    code: str
+
+
+def examples() -> list[Example]:
+    page = text(ROOT / "docs" / "extending.md")
+    found = re.findall(r"^([^\n]+)\n\n```(python|toml)\n(.*?)^```", page, re.DOTALL | re.MULTILINE)
+    return [Example(language, before, code) for before, language, code in found]
+
+
+def test_what_extends_the_package_works_as_shown(tmp_path: Path) -> None:
+    """All files and lines of the page in one copy, its config run, and then its checks."""
+    package = tmp_path / "source" / "skylight_sh"
+    shutil.copytree(PACKAGE, package, ignore=shutil.ignore_patterns("__pycache__"))
+    checks = []
+    for example in examples():
+        place = re.fullmatch(r"(File|Line in) `(.+)`:", example.before)
+        if place and place[1] == "File":
+            assert not (package / place[2]).exists(), place[2]
+            (package / place[2]).write_text(example.code, encoding="utf-8")
+        elif place:
+            registry = (package / place[2]).read_text(encoding="utf-8")
+            first = re.search(r'^ +"[\w-]+": "skylight_sh\..*\n', registry, re.MULTILINE)
+            assert first, place[2]
+            (package / place[2]).write_text(registry.replace(first[0], example.code + first[0], 1), encoding="utf-8")
+        elif example.language == "python":
+            checks.append(example.code)
+        elif example.code.startswith("name ="):
+            (tmp_path / "extended.toml").write_text(example.code, encoding="utf-8")
+
+    def call(*arguments: str) -> str:
+        environment = {**os.environ, "PYTHONPATH": str(package.parent)}
+        command = [sys.executable, *arguments]
+        done = subprocess.run(command, cwd=tmp_path, env=environment, capture_output=True, text=True, check=False)
+        assert done.returncode == 0, done.stderr
+        return done.stdout
+
+    schema = call("-m", "skylight_sh", "config", "schema")
+    for name in ("even", "midpoints", "chebyshev-2", "square", "json", "slang", "dot"):
+        assert f'"{name}"' in schema
+    call("-m", "skylight_sh", "run", "extended.toml")
+    assert len(checks) >= 5
+    for check in checks:
+        call("-c", check)
+
+
+def test_the_light_of_another_package_is_registered_as_shown() -> None:
+    shown = [tomllib.loads(e.code) for e in examples() if e.language == "toml" and not e.code.startswith("name =")]
+    packaged = tomllib.loads(text(ROOT / "tests" / "example_light" / "pyproject.toml"))
+    assert shown[0]["project"]["entry-points"] == packaged["project"]["entry-points"]
+    assert shown[1]["light"]["entry"] in packaged["project"]["entry-points"]["skylight_sh.lights"]
