@@ -116,7 +116,7 @@ def test_the_sweep_is_a_fit_of_chebyshev_polynomials(errors: pd.DataFrame) -> No
         return u, v
 
     def shared(sets: Array) -> Array:
-        return np.asarray(prefactor.evaluate({"sun_zenith": sets[:, 0], "turbidity": sets[:, 1]}, prefactor.constants))
+        return np.asarray(prefactor.formula(sets[:, 0], sets[:, 1], prefactor.constants))
 
     x = -np.cos(np.pi * (np.arange(12) + 0.5) / 12)
     y = -np.cos(np.pi * (np.arange(8) + 0.5) / 8)

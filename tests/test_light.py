@@ -81,10 +81,13 @@ def test_constant_sets_differ_a_little() -> None:
 def test_prefactor_keeps_the_dtype_and_matches_the_luminance() -> None:
     prefactor = Preetham().hints.prefactor
     assert prefactor is not None
-    single = {name: value.astype(np.float32) for name, value in at(0.7, 3.0).items()}
-    assert prefactor.evaluate(single, prefactor.constants).dtype == np.float32
-    assert zenith_factor(single, prefactor.constants) == pytest.approx(
-        zenith_factor(at(0.7, 3.0), prefactor.constants), rel=1e-6
+    given = at(0.7, 3.0)
+    assert prefactor.axes == tuple(given)
+    single = [value.astype(np.float32) for value in given.values()]
+    assert prefactor.formula(*single, prefactor.constants).dtype == np.float32
+    assert prefactor.formula is zenith_factor
+    assert zenith_factor(*single, prefactor.constants) == pytest.approx(
+        zenith_factor(*given.values(), prefactor.constants), rel=1e-6
     )
 
 

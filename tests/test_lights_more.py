@@ -17,6 +17,8 @@ from conftest import ROOT
 from numpy.typing import NDArray
 from skylight_sh import sphere
 from skylight_sh.config import ConfigError, load
+from skylight_sh.fit.axis import Axis
+from skylight_sh.formula.printers import C_SINGLE, statements
 from skylight_sh.light import colour, perez, spherical_lights, sun_disc
 from skylight_sh.light.cie_traditional import CieTraditional
 from skylight_sh.light.perez import Perez
@@ -28,6 +30,7 @@ from skylight_sh.run.runner import steps
 from skylight_sh.run.stages.export import facts_of
 from skylight_sh.store.store import Store
 from skylight_sh.studies.speed import discs
+from skylight_sh.table.prefactor import closed_form
 from threadpoolctl import threadpool_limits
 
 Array = NDArray[np.float64]
@@ -164,14 +167,17 @@ def test_perez_prefactor_is_the_shape_towards_the_zenith(tmp_path: Path) -> None
     at = {"sun_zenith": np.array(0.8), "brightness": np.array(0.3)}
     a, b, c, d, e = perez.shape(5, at["sun_zenith"], at["brightness"])
     shape = (1 + a * math.exp(b)) * (1 + c * math.exp(d * 0.8) + e * math.cos(0.8) ** 2)
-    assert prefactor.evaluate(at, prefactor.constants) == pytest.approx(1 / shape, rel=1e-14)
-    single = {name: value.astype(np.float32) for name, value in at.items()}
-    assert prefactor.evaluate(single, prefactor.constants).dtype == np.float32
-    numbers = ", ".join(f"{value!r}f" for value in prefactor.constants)
+    assert prefactor.axes == tuple(at)
+    assert prefactor.formula(*at.values(), prefactor.constants) == pytest.approx(1 / shape, rel=1e-14)
+    single = [value.astype(np.float32) for value in at.values()]
+    assert prefactor.formula(*single, prefactor.constants).dtype == np.float32
+    program = closed_form(prefactor, [Axis(name, 0.2, 1.0).specified for name in at]).program
+    assert program.run(single)[0].dtype == np.float32
+    lines, results = statements(program, C_SINGLE, list(at))
     (tmp_path / "factor.c").write_text(
         "#include <math.h>\n#include <stdio.h>\n"
-        f"static float factor(float sun_zenith, float brightness) {{ static const float k[] = {{{numbers}}};\n"
-        f'{prefactor.c_body} }}\nint main(void) {{ printf("%.9g", (double)factor(0.8f, 0.3f)); return 0; }}\n',
+        f"static float factor(float sun_zenith, float brightness) {{ {' '.join(lines)} return {results[0]}; }}\n"
+        'int main(void) { printf("%.9g", (double)factor(0.8f, 0.3f)); return 0; }\n',
         encoding="utf-8",
     )
     subprocess.run(["cc", "-O2", str(tmp_path / "factor.c"), "-o", str(tmp_path / "factor"), "-lm"], check=True)

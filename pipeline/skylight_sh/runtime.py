@@ -190,8 +190,14 @@ class Program:
                 sound = all(type(a) is int and 0 <= a < limits.get(str(operation), place) for a in arguments)
             if not sound:
                 raise ValueError(f"{name} has the impossible step {(operation, *arguments)}")
-        if not all(0 <= place < len(self.steps) for place in self.outputs) or outputs not in (None, len(self.outputs)):
+        known = range(len(self.steps))
+        if not all(type(place) is int and place in known for place in self.outputs):
             raise ValueError(f"{name} has the impossible outputs {self.outputs}")
+        if outputs not in (None, len(self.outputs)):
+            raise ValueError(f"{name} has the impossible outputs {self.outputs}: there should be {outputs}")
+        # They become names in code.
+        if not all(place in known and isinstance(word, str) and word.isidentifier() for place, word in self.labels):
+            raise ValueError(f"{name} has the impossible labels {self.labels}")
 
 
 @dataclass(frozen=True)
@@ -597,8 +603,11 @@ def read(path: str | Path | BinaryIO) -> Table:
             raise ValueError("it is no archive")
         with np.load(path, allow_pickle=False) as archive:
             header = json.loads(str(archive["header"]))
-            if header.get("format") != FORMAT:
-                raise ValueError(f"its format is {header.get('format')!r}, this version reads {FORMAT}: run the fit again")
+            found = header.get("format")
+            if found != FORMAT:
+                later = isinstance(found, int) and found > FORMAT
+                remedy = "a newer version wrote it" if later else "run the fit again"
+                raise ValueError(f"its format is {found!r}, this version reads {FORMAT}: {remedy}")
             table = _decoded(header["table"], archive)
         if not isinstance(table, Table):
             raise ValueError(f"it holds a {type(table).__name__}")
@@ -627,6 +636,8 @@ def _decoded(value: Any, arrays: Mapping[str, NDArray[Any]]) -> Any:
         return arrays[value["bytes"]].astype(np.uint8).tobytes()
     if "json" in value:
         return value["json"]
+    if value["is"] not in KINDS:
+        raise ValueError(f"it holds a {value['is']}: a newer version wrote it")
     kind = KINDS[value["is"]]
     known = {f.name for f in fields(kind)}
     unknown = sorted(set(value) - known - {"is"})
@@ -638,27 +649,43 @@ def _decoded(value: Any, arrays: Mapping[str, NDArray[Any]]) -> Any:
 def _wrong(table: Table) -> Iterator[str]:
     """Yield what makes no sense in a table that was read."""
     spec, body, bands = table.spec, table.body, table.bands
-    channels = len(spec.channels)
-    if type(bands) is not int or not 1 <= bands <= 64 or not spec.axes or not channels:
-        yield f"it has {bands!r} bands, {len(spec.axes)} axes and {channels} channels"
+    if type(bands) is not int or not 1 <= bands <= 64 or not spec.axes or not spec.channels:
+        yield f"it has {bands!r} bands, {len(spec.axes)} axes and {len(spec.channels)} channels"
     if len(table.terms) != len(spec.axes):
         yield f"it has {len(table.terms)} lists of functions for {len(spec.axes)} axes"
+    yield from _wrong_specification(spec)
     for axis, terms in zip(spec.axes, table.terms, strict=True):
+        terms.check(f"its axis {axis.name}", 1)
+    yield from _wrong_rows(table, body) if isinstance(body, Rows) else _wrong_stream(table, body)
+    yield from _wrong_surroundings(table, table.surroundings) if table.surroundings else ()
+
+
+def _wrong_specification(spec: Specification) -> Iterator[str]:
+    names = [axis.name for axis in spec.axes]
+    if len(set(names)) < len(names):
+        yield f"its axes are {', '.join(names)}"
+    for axis in spec.axes:
         if not (math.isfinite(axis.low) and math.isfinite(axis.high) and axis.low <= axis.high):
             yield f"its axis {axis.name} has the range [{axis.low}, {axis.high}]"
         axis.variable.check(f"its axis {axis.name}", 1, 1)
-        terms.check(f"its axis {axis.name}", 1)
+    if spec.azimuth is not None and not math.isfinite(spec.azimuth):
+        yield f"its azimuth is {spec.azimuth}"
     if spec.scale:
         spec.scale.program.check("its prefactor", len(spec.axes), 1)
     if spec.twilight:
         spec.twilight.program.check("its twilight", 1, 1)
-    yield from _wrong_rows(table, body) if isinstance(body, Rows) else _wrong_stream(table, body)
-    if table.surroundings:
-        around = table.surroundings
-        shapes = {"transfer": (bands**2, bands**2), "own": (channels, bands**2), "below": (channels, bands**2)}
-        for name, shape in shapes.items():
-            if getattr(around, name).size and getattr(around, name).shape != shape:
-                yield f"its surroundings' {name} has the shape {getattr(around, name).shape}, not {shape}"
+        if not 0.0 < spec.twilight.depth < math.inf:
+            yield f"its twilight is {spec.twilight.depth} deep"
+
+
+def _wrong_surroundings(table: Table, around: Surroundings) -> Iterator[str]:
+    channels, count = len(table.channels), table.bands**2
+    for name, shape in {"transfer": (count, count), "own": (channels, count), "below": (channels, count)}.items():
+        part = getattr(around, name)
+        if part.size and part.shape != shape:
+            yield f"its surroundings' {name} has the shape {part.shape}, not {shape}"
+        if not np.isfinite(part).all():
+            yield f"its surroundings' {name} is not finite"
 
 
 def _wrong_rows(table: Table, body: Rows) -> Iterator[str]:
@@ -680,5 +707,7 @@ def _wrong_stream(table: Table, body: Packed) -> Iterator[str]:
         yield f"its profiles have {body.channel_profile.size} channels and {body.rest_profile.size} products"
     if not 1 <= body.first <= table.degrees[0] + 1 or not math.isfinite(body.step):
         yield f"its runs have {body.first} terms of {table.degrees[0] + 1}, its step is {body.step}"
-    # Decoded once: a stream that ends early raises.
-    unpack(body, table.places)
+    try:
+        unpack(body, table.places)
+    except IndexError:
+        yield "its stream ends early, or has longer runs"

@@ -120,6 +120,8 @@ def test_prefactor_is_one_over_the_shape_towards_the_zenith(category: Any) -> No
     assert prefactor is not None
     assert list(prefactor.constants) == LUMINANCE_1993[category - 1].ravel().tolist()
     delta = brightness(category)[1]
-    at = {"sun_zenith": np.array(0.83), "brightness": np.array(delta)}
+    assert prefactor.axes == ("sun_zenith", "brightness")
     expected = 1 / value(shape(category, 0.83, delta), 0.0, 0.83)
-    assert float(prefactor.evaluate(at, prefactor.constants)) == pytest.approx(expected, rel=1e-12)
+    assert float(prefactor.formula(np.array(0.83), np.array(delta), prefactor.constants)) == pytest.approx(
+        expected, rel=1e-12
+    )

@@ -11,7 +11,10 @@ from typing import Any
 import mpmath
 import numpy as np
 import pytest
+from skylight_sh.fit.axis import Axis
+from skylight_sh.formula.printers import C_DOUBLE, statements
 from skylight_sh.light.preetham import Preetham, zenith_factor, zenith_luminance
+from skylight_sh.table.prefactor import closed_form
 
 from golden.oracles import (
     PREETHAM,
@@ -80,8 +83,8 @@ def test_the_prefactor_is_its_series(constants: Any, tmp_path: Path) -> None:
     sets = [(theta, tau) for theta in (0.0, 0.4, 1.1, math.pi / 2) for tau in (2.5, 3.3, 6.0)]
     expected = [rational_factor(constants, *values) for values in sets]
     theta, tau = np.array(sets).T
-    named = {"sun_zenith": theta, "turbidity": tau}
-    assert zenith_factor(named, prefactor.constants) == pytest.approx(expected, rel=1e-12)
+    assert prefactor.axes == ("sun_zenith", "turbidity")
+    assert zenith_factor(theta, tau, prefactor.constants) == pytest.approx(expected, rel=1e-12)
     exact = [
         preetham_zenith(constants, "Y", *values)
         / float(perez_function(preetham_shape(constants, "Y", values[1]), 0.0, values[0]))
@@ -90,17 +93,20 @@ def test_the_prefactor_is_its_series(constants: Any, tmp_path: Path) -> None:
     # "But for a few per cent": its purpose, not its definition.
     assert expected == pytest.approx(exact, rel=0.08)
     # The same in C, in double so that a wrong digit shows.
-    body = re.sub(r"\bfloat\b", "double", re.sub(r"(\d\.\d+)f\b", r"\1", prefactor.c_body))
-    numbers = ", ".join(repr(float(v)) for row in PREETHAM[constants]["Y"] for v in row.split()[1:])
+    numbers = [float(v) for row in PREETHAM[constants]["Y"] for v in row.split()[1:]]
+    assert list(prefactor.constants) == numbers
+    program = closed_form(prefactor, [Axis(name, 0.0, 9.0).specified for name in prefactor.axes]).program
+    lines, results = statements(program, C_DOUBLE, prefactor.axes)
+    body = "\n".join([*lines, f"return {results[0]};"])
     calls = "".join(f'printf("%.17g\\n", factor({t!r}, {u!r}));' for t, u in sets)
     (tmp_path / "f.c").write_text(
-        f"#include <math.h>\n#include <stdio.h>\nstatic const double k[] = {{ {numbers} }};\n"
+        f"#include <math.h>\n#include <stdio.h>\n"
         f"static double factor(double sun_zenith, double turbidity) {{ {body} }}\nint main(void) {{ {calls} return 0; }}\n",
         encoding="utf-8",
     )
     subprocess.run(["cc", str(tmp_path / "f.c"), "-o", str(tmp_path / "f"), "-lm"], check=True)
     out = subprocess.run([str(tmp_path / "f")], capture_output=True, text=True, check=True).stdout
     assert [float(line) for line in out.split()] == pytest.approx(expected, rel=1e-12)
-    # Numbers written into the C text, which a table's bytes count: 4/9, 1/120, pi, 105, ...
-    written = re.findall(r"(?<![\w.\[])\d+\.\d+f", prefactor.c_body)
-    assert len(written) <= prefactor.literals <= len(written) + 1
+    # Numbers written into the formula, which a table's bytes count: 4/9, 1/120, pi, 105, ...
+    written = re.findall(r"(?<![\w.\[])\d+\.\d+(?:e-?\d+)?", body)
+    assert len(written) == program.literals + len(numbers)
