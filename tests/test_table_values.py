@@ -11,7 +11,9 @@ from skylight_sh import runtime, sphere
 from skylight_sh.fit.axis import Axis
 from skylight_sh.light.preetham import Preetham
 from skylight_sh.runtime import BitReader, Packed, Rows, Surroundings, Table
-from skylight_sh.table import bits, packed, prefactor, rows, surroundings, twilight
+from skylight_sh.scene import surroundings
+from skylight_sh.scene.surroundings import Clouds
+from skylight_sh.table import bits, packed, prefactor, rows, twilight
 from skylight_sh.table.prefactor import closed_form, reciprocal
 from skylight_sh.table.row_layout import Layout, carried, layout
 from skylight_sh.table.size import bytes_of, coefficients_of
@@ -265,8 +267,8 @@ def test_lights_add_to_what_clouds_shine() -> None:
     opacity = np.zeros(wide * wide)
     opacity[0] = 0.25 * np.sqrt(4 * np.pi)
     lights = np.arange(18.0).reshape(2, 9)
-    cloudy = surroundings.build(bands, clouds=(opacity, [2.0, 3.0]))
-    both = surroundings.build(bands, clouds=(opacity, [2.0, 3.0]), lights=lights)
+    cloudy = surroundings.build(bands, clouds=Clouds(opacity, np.array([2.0, 3.0])))
+    both = surroundings.build(bands, clouds=Clouds(opacity, np.array([2.0, 3.0])), lights=lights)
     alone = surroundings.build(bands, lights=lights)
     assert np.array_equal(alone.own, lights)
     assert not alone.transfer.size
