@@ -19,8 +19,9 @@ def bench(config: str, repeats: int, reports: Path) -> None:
     CONFIG is a path or a shipped config's name, preetham if it is left out.
     """
     from skylight_sh.run import progress
-    from skylight_sh.studies.speed import run as benchmarks
+    from skylight_sh.studies.run import run
+    from skylight_sh.studies.speed.study import SPEED
 
     with progress.bar("bench") as advance:
-        text = benchmarks.run(options.load_config(config, {}), reports, repeats, advance)
+        text = run(SPEED, options.load_config(config, {}), reports, advance, repeats)
     click.echo(text)

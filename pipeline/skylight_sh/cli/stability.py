@@ -18,8 +18,9 @@ def stability(config: str, reports: Path) -> None:
     CONFIG is a path or a shipped config's name, preetham if it is left out.
     """
     from skylight_sh.run import progress
-    from skylight_sh.studies.stability import run as stresses
+    from skylight_sh.studies.run import run
+    from skylight_sh.studies.stability.study import STABILITY
 
     with progress.bar("stability") as advance:
-        text = stresses.run(options.load_config(config, {}), reports, advance)
+        text = run(STABILITY, options.load_config(config, {}), reports, advance)
     click.echo(text)

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from skylight_sh import runtime
 from skylight_sh.config.schema import Config
-from skylight_sh.fit.errors import Reference, mean_luminance
+from skylight_sh.fit.errors import Reference, mean_luminance, published
 from skylight_sh.light.preetham import Preetham
 from skylight_sh.quadrature import parameter_points
 from skylight_sh.run.config_axes import VARIABLES, axes_of
@@ -139,6 +139,12 @@ def reference(config: Config, sets: Array, radiance: Array, degrees: NDArray[np.
         least=scale * least,
         mean=scale * mean_luminance(radiance[:, :, 0], config.source.luminance_row),
     )
+
+
+def headline_of(measured: Dataset, name: str) -> tuple[float, float]:
+    """Return E_mean and E_max of a table as they are published, over all bands and channels, first convention."""
+    e_mean, e_max = (published(measured[f"{name}/{key}"][0, :, -1].max()) for key in ("e_mean", "e_max"))
+    return e_mean, e_max
 
 
 def read_table(artifact: Dataset, name: str) -> Table:

@@ -16,6 +16,7 @@ from skylight_sh.formula.bases import BASES
 from skylight_sh.quadrature import parameter_points
 from skylight_sh.runtime import Scale
 from skylight_sh.table import prefactor
+from skylight_sh.table import table as tables
 
 Array = NDArray[np.float64]
 
@@ -35,6 +36,11 @@ class GridFit:
     basis: str
     scale: Scale | None
     condition: float
+
+    def products(self, sets: Array) -> Array:
+        """Return all products of basis functions at parameter sets ``(n, axes)``: ``(n, terms)``."""
+        degrees = [size - 1 for size in self.dense.shape[2:]]
+        return np.asarray(tables.products(self.basis, self.axes, sets, degrees), dtype=np.float64)
 
 
 def factor_at(scale: Scale | None, sets: Array) -> Array:

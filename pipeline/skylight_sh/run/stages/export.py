@@ -14,7 +14,7 @@ from skylight_sh.export import targets
 from skylight_sh.fit.errors import published
 from skylight_sh.run.executors import Advance
 from skylight_sh.run.files import to_dataset
-from skylight_sh.run.from_config import read_table
+from skylight_sh.run.from_config import headline_of, read_table
 from skylight_sh.run.plan import Inputs, Step
 from skylight_sh.run.provenance import settings, settings_digest, whole_settings
 from skylight_sh.runtime import Table
@@ -31,6 +31,7 @@ def steps(config: Config) -> list[Step]:
 def facts_of(config: Config, table: Table, measured: Dataset, name: str) -> dict[str, Any]:
     """Return one row of the summary: a table's name, place, size and measured errors, to four digits."""
     place = "export" if name == config.export.recommended else f"export/{name}"
+    e_mean, e_max = headline_of(measured, f"tables/{name}")
     return {
         "name": name,
         "path": place,
@@ -39,8 +40,8 @@ def facts_of(config: Config, table: Table, measured: Dataset, name: str) -> dict
         "layout": table.body.kind,
         "bytes": bytes_of(table),
         "coefficients": coefficients_of(table),
-        "e_mean": published(measured[f"tables/{name}/e_mean"][0, :, -1].max()),
-        "e_max": published(measured[f"tables/{name}/e_max"][0, :, -1].max()),
+        "e_mean": e_mean,
+        "e_max": e_max,
         "l_min": str(measured.attrs["conventions"]).split(",")[0],
         "quantity": table.spec.quantity,
         "least": published(measured[f"tables/{name}/least"]),

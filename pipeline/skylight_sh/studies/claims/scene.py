@@ -16,8 +16,7 @@ from skylight_sh import sphere
 from skylight_sh.config.schema import Config
 from skylight_sh.probe import files
 from skylight_sh.quadrature import sampling
-from skylight_sh.run.from_config import surroundings_of
-from skylight_sh.run.stages import surroundings
+from skylight_sh.run.config_surroundings import build_all
 from skylight_sh.scene.lamps import Lamp, Sphere, Spot
 
 Array = NDArray[np.float64]
@@ -78,10 +77,7 @@ def measure(
     its transfer matrix, against ``direct``. A table's own error is not in it.
     """
     exact = direct(config, suns, bands, rows)
-    narrow = config.model_copy(update={"truth": config.truth.model_copy(update={"bands": bands})})
-    narrow = narrow.within(config.folder)
-    (step,) = surroundings.steps(narrow)
-    around = surroundings_of({step.name: step.make({}, lambda _done, _all: None)})[bands]
+    (around,) = build_all(config, [bands])
     off = np.stack([around.apply(_expansion(config, *sun, bands), bands) for sun in suns]) - exact
     errors = {
         n: np.linalg.norm(off[..., : n * n], axis=-1) / np.linalg.norm(exact[..., : n * n], axis=-1)

@@ -36,7 +36,7 @@ def section(samples: Samples, repeats: int) -> Section:
     errors: dict[str, float] = {}
     for kind, label in (("raw", "raw"), ("identity", "scaled"), (single_fit.OWN, "config's maps, prefactor")):
         for basis in ("monomial",) if kind == "raw" else BASES:
-            right, matrices, _ = single_fit.system(samples, samples.half, degrees, basis, kind)
+            right, matrices = single_fit.system(samples, samples.half, degrees, basis, kind)
             for solver in least_squares.SOLVERS:
                 name = f"{basis}, {label}, {solver}"
                 calls[name] = partial(least_squares.fit_full, right, matrices, solver)

@@ -14,11 +14,10 @@ from typing import Any
 from skylight_sh.config import parse
 from skylight_sh.config.schema import Config
 from skylight_sh.run import plan
-from skylight_sh.run.from_config import read_table
+from skylight_sh.run.from_config import headline_of, read_table
 from skylight_sh.run.progress import silent
 from skylight_sh.run.provenance import settings
 from skylight_sh.run.runner import steps
-from skylight_sh.run.stages.export import facts_of
 from skylight_sh.runtime import Table
 from skylight_sh.store.store import Store
 from skylight_sh.studies import compiled
@@ -106,7 +105,7 @@ def _profiles(config: Config) -> list[tuple[str, Callable[[dict[str, Any]], None
         ("diffuse, 3 bands, 0.1 %", scene(3, 0.001, quantity="irradiance")),
         ("diffuse, 3 bands, 1.5 %", scene(3, 0.015, quantity="irradiance")),
     ]
-    if config.axes[0].name == "sun_zenith":
+    if config.axes[0].name == config.light.hints.peak_axis:
         found.append(("7 bands, 0.1 %, a sun below 21 degrees", low_sun))
     if len(config.axes) > 1 and all(name in {a.name for a in config.axes} for name in _FIXED):
         found += [
@@ -133,4 +132,4 @@ def _build(config: Config) -> tuple[float, Table, float]:
         seconds = time.perf_counter() - start
     name = config.export.recommended
     table = read_table(made["select"], f"tables/{name}")
-    return seconds, table, facts_of(config, table, made["measure"], name)["e_mean"]
+    return seconds, table, headline_of(made["measure"], f"tables/{name}")[0]

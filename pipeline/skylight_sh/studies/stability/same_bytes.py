@@ -24,7 +24,6 @@ from skylight_sh.run import plan
 from skylight_sh.run.blas import one_thread
 from skylight_sh.run.files import from_dataset
 from skylight_sh.run.runner import run, steps
-from skylight_sh.run.stages import origins
 from skylight_sh.store.dataset import Dataset
 from skylight_sh.store.store import Store
 
@@ -55,8 +54,7 @@ def outputs(config: Config, truths: Mapping[str, Dataset], noise: Noise | None =
     def obtain(name: str) -> Dataset:
         if name not in done:
             step = by_name[name]
-            wanted = [needed for needed in step.inputs if needed != origins.STEP]
-            made = step.make({needed: obtain(needed) for needed in wanted}, lambda *_: None)
+            made = step.make({needed: obtain(needed) for needed in step.inputs}, lambda *_: None)
             done[name] = Dataset(made.variables, {**made.attrs, "step": name, "key": ""})
         return done[name]
 

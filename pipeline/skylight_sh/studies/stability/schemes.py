@@ -13,6 +13,7 @@ from skylight_sh.formula.bases import BASES
 from skylight_sh.studies import single_fit
 from skylight_sh.studies.grid_samples import Samples
 from skylight_sh.studies.page import Row, Section
+from skylight_sh.table.grid_fit import GridFit
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -50,7 +51,7 @@ def section(samples: Samples) -> Section:
     return Section("schemes", "Number types and evaluation schemes", TEXT, rows, _draw)
 
 
-def _error(samples: Samples, made: single_fit.Trial, factor: Array, scheme: str, bits: str) -> float:
+def _error(samples: Samples, made: GridFit, factor: Array, scheme: str, bits: str) -> float:
     """Return the largest per-set E_mean of a fit kept as ``bits`` and summed by ``scheme``."""
     dense = made.dense
     dtype = np.dtype("float32" if bits == "int16" else bits)
