@@ -114,4 +114,4 @@ def test_schema_describes_every_key_of_its_sections() -> None:
     assert schema == Config.model_json_schema()
     for section, found in schema["$defs"].items():
         for key, described in found["properties"].items():
-            assert described.get("description") or "const" in described or "$ref" in described, (section, key)
+            assert described.get("description"), (section, key)
