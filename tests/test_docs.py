@@ -6,25 +6,15 @@ import ast
 import csv
 import doctest
 import json
-import os
 import re
-import shutil
-import subprocess
-import sys
-import tomllib
-from dataclasses import dataclass, fields
+from dataclasses import fields
 from pathlib import Path
 
-import numpy as np
 import pytest
 from conftest import ROOT
 from skylight_sh import runtime
 from skylight_sh.export import vectors
-from skylight_sh.light.preetham import Preetham
-from skylight_sh.quadrature import rings, sun_centred
-from skylight_sh.quadrature.registry import RULES
 from skylight_sh.run.runner import Result
-from skylight_sh.sphere import Harmonics
 from skylight_sh.store import hdf5
 
 DOCS = sorted((ROOT / "docs").glob("*.md"))
@@ -215,85 +205,3 @@ def test_formulas_are_what_their_renderer_keeps() -> None:
     for page in DOCS:
         for formula in re.findall(r"\$\$.+?\$\$|\$[^$\n]+\$", prose(page)):
             assert not re.search(r"\\[^A-Za-z]|operatorname|[_^]\*", formula), f"{page.name}: {formula}"
-
-
-def test_rules_converge_as_told() -> None:
-    """The table of errors, measured again: its samples exactly, its errors within a factor of two."""
-    told = re.search(r"<!-- convergence -->\n(.*?)<!-- /convergence -->", text(ROOT / "docs" / "mathematics.md"), re.DOTALL)
-    assert told
-    light, where = Preetham(), {"sun_zenith": np.array([[1.2]]), "turbidity": np.array([[3.0]])}
-    exact = sun_centred.project(light, where, nodes=160, harmonics=Harmonics.even(7)).weights
-    samples = {
-        "sun-centred": lambda n: len(sun_centred.half_sky(1.2, n)[1]),
-        "rings": lambda n: len(rings.half_sky(1.2, n, 7)[1]),
-        "zenith": lambda n: 2 * n * n,
-        "stratified": lambda n: n * n,
-    }
-    rows = [[cell.strip() for cell in line.strip("|").split("|")] for line in told[1].splitlines()[2:]]
-    assert len(rows) > 10
-    for rule, nodes, count, error in rows:
-        n = int(nodes)
-        found = RULES[rule].project(light, where, nodes=n, harmonics=Harmonics.even(7)).weights
-        off = float((np.abs(found - exact).max(axis=-1) / np.abs(exact).max(axis=-1)).max())
-        assert samples[rule](n) == int(count.replace(",", "")), (rule, n)
-        assert off < 2 * float(error), (rule, n, off)
-        # Rounding has no lower bound.
-        assert off > float(error) / 2 or float(error) < 1e-13, (rule, n, off)
-
-
-@dataclass(frozen=True)
-class Example:
-    """A fenced block of extending.md: its language, the words before it and its text."""
-
-    language: str
-    before: str
-    code: str
-
-
-def examples() -> list[Example]:
-    page = text(ROOT / "docs" / "extending.md")
-    found = re.findall(r"^([^\n]+)\n\n```(python|toml)\n(.*?)^```", page, re.DOTALL | re.MULTILINE)
-    return [Example(language, before, code) for before, language, code in found]
-
-
-def test_what_extends_the_package_works_as_shown(tmp_path: Path) -> None:
-    """All files and lines of the page in one copy, its config run, and then its checks."""
-    package = tmp_path / "source" / "skylight_sh"
-    shutil.copytree(PACKAGE, package, ignore=shutil.ignore_patterns("__pycache__"))
-    checks = []
-    for example in examples():
-        place = re.fullmatch(r"(File|Line in) `(.+)`:", example.before)
-        if place and place[1] == "File":
-            assert not (package / place[2]).exists(), place[2]
-            (package / place[2]).write_text(example.code, encoding="utf-8")
-        elif place:
-            registry = (package / place[2]).read_text(encoding="utf-8")
-            first = re.search(r'^ +"[\w-]+": "skylight_sh\..*\n', registry, re.MULTILINE)
-            assert first, place[2]
-            (package / place[2]).write_text(registry.replace(first[0], example.code + first[0], 1), encoding="utf-8")
-        elif example.language == "python":
-            checks.append(example.code)
-        elif example.code.startswith("name ="):
-            (tmp_path / "extended.toml").write_text(example.code, encoding="utf-8")
-
-    def call(*arguments: str) -> str:
-        environment = {**os.environ, "PYTHONPATH": str(package.parent)}
-        command = [sys.executable, *arguments]
-        done = subprocess.run(command, cwd=tmp_path, env=environment, capture_output=True, text=True, check=False)
-        assert done.returncode == 0, done.stderr
-        return done.stdout
-
-    schema = call("-m", "skylight_sh", "config", "schema")
-    for name in ("even", "midpoints", "chebyshev-2", "square", "json", "slang", "dot"):
-        assert f'"{name}"' in schema
-    call("-m", "skylight_sh", "run", "extended.toml")
-    assert len(checks) >= 5
-    for check in checks:
-        call("-c", check)
-
-
-def test_the_light_of_another_package_is_registered_as_shown() -> None:
-    shown = [tomllib.loads(e.code) for e in examples() if e.language == "toml" and not e.code.startswith("name =")]
-    packaged = tomllib.loads(text(ROOT / "tests" / "example_light" / "pyproject.toml"))
-    assert shown[0]["project"]["entry-points"] == packaged["project"]["entry-points"]
-    assert shown[1]["light"]["entry"] in packaged["project"]["entry-points"]["skylight_sh.lights"]
