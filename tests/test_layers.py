@@ -143,9 +143,14 @@ def test_the_runtime_is_one_file_for_any_project() -> None:
 
 
 def test_stages_alone_are_in_stages() -> None:
-    """Every file there is a stage: it has ``steps(config)``."""
-    stages = [name for name in modules() if name.startswith(f"{PACKAGE}.run.stages.")]
-    assert stages
-    for name in stages:
-        body = ast.parse(modules()[name].read_text(encoding="utf-8")).body
-        assert "steps" in {node.name for node in body if isinstance(node, ast.FunctionDef)}, name
+    """Every file there makes a step, by each of its public functions or for another stage; a step names what is there."""
+    made = set(re.findall(r'"(\w+:make\w*)"', modules()[f"{PACKAGE}.run.steps"].read_text(encoding="utf-8")))
+    found = set()
+    for name in modules():
+        stage = name.removeprefix(f"{PACKAGE}.run.stages.")
+        if stage != name:
+            body = ast.parse(modules()[name].read_text(encoding="utf-8")).body
+            named = {node.name for node in body if isinstance(node, ast.FunctionDef) and node.name.startswith("make")}
+            assert named, name
+            found |= {f"{stage}:{function}" for function in named}
+    assert found == made

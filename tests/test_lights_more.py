@@ -26,8 +26,8 @@ from skylight_sh.light.preetham import Preetham
 from skylight_sh.quadrature import zenith_gauss
 from skylight_sh.run import plan, progress
 from skylight_sh.run.from_config import read_table
-from skylight_sh.run.runner import steps
 from skylight_sh.run.stages.export import facts_of
+from skylight_sh.run.steps import steps
 from skylight_sh.store.store import Store
 from skylight_sh.studies.speed import discs
 from skylight_sh.table.prefactor import closed_form

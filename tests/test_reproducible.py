@@ -125,7 +125,7 @@ def test_held_out_sets_are_even_and_hold_edges_and_corners() -> None:
 
 
 def test_held_out_sets_are_read_by_the_measurement_alone() -> None:
-    from skylight_sh.run.runner import steps
+    from skylight_sh.run.steps import steps
 
     readers = {step.name for step in steps(load(ROOT / "configs/preetham.toml")) if "truth/held-out" in step.inputs}
     assert readers == {"measure"}

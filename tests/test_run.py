@@ -15,7 +15,8 @@ from conftest import ROOT, SMALL, run_quietly
 from skylight_sh.config import Config, load
 from skylight_sh.run import code, plan
 from skylight_sh.run.executors import map_tasks
-from skylight_sh.run.runner import Result, run, steps
+from skylight_sh.run.runner import Result, run
+from skylight_sh.run.steps import steps
 from skylight_sh.store.store import Store
 from skylight_sh.table.selection import BudgetError
 

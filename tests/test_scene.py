@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from skylight_sh import runtime, sphere
 from skylight_sh.config import Config, ConfigError, load, parse
 from skylight_sh.run.runner import Result
-from skylight_sh.run.stages import origins
+from skylight_sh.run.steps import shows_origins
 from skylight_sh.scene.solar import zenith_range
 from skylight_sh.store.store import Store
 from skylight_sh.studies.grid_samples import sample
@@ -290,5 +290,5 @@ def test_the_paper_is_explained_by_radiance_alone() -> None:
     """Its scheme fitted radiance above a black ground: no other scene computes it, nor mixes the two."""
     text = (ROOT / "configs" / "preetham.toml").read_text(encoding="utf-8")
     scenes = ("", '[scene]\nground = "mirror"\n', '[scene]\nquantity = "irradiance"\nwindow = false\n')
-    wanted = [origins.is_wanted(parse(tomllib.loads(f"{text}\n{scene}"), "a config")) for scene in scenes]
+    wanted = [shows_origins(parse(tomllib.loads(f"{text}\n{scene}"), "a config")) for scene in scenes]
     assert wanted == [True, False, False]

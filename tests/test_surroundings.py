@@ -17,7 +17,7 @@ from skylight_sh.config import Config, ConfigError, load
 from skylight_sh.light import spherical_lights
 from skylight_sh.probe.layouts import patches
 from skylight_sh.run import plan, scene_problems
-from skylight_sh.run.runner import steps
+from skylight_sh.run.steps import steps
 from skylight_sh.runtime import Surroundings
 from skylight_sh.scene.surroundings import Clouds, build, mask_bands
 from skylight_sh.table.size import bytes_of

@@ -11,7 +11,8 @@ import pytest
 from conftest import SMALL
 from skylight_sh.config import Config, load
 from skylight_sh.run import plan
-from skylight_sh.run.runner import run, steps
+from skylight_sh.run.runner import run
+from skylight_sh.run.steps import steps
 from skylight_sh.store import hdf5
 from skylight_sh.store.hdf5 import CorruptArtifactError
 from skylight_sh.store.store import Entry, Store

@@ -18,6 +18,7 @@ from skylight_sh.config import Config, parse
 from skylight_sh.report.figures import origins as picture
 from skylight_sh.run.config_axes import axes_of, fit_nodes
 from skylight_sh.run.stages import origins
+from skylight_sh.run.steps import shows_origins
 from skylight_sh.store.dataset import Dataset, Variable
 from threadpoolctl import threadpool_limits
 
@@ -186,7 +187,7 @@ def found(config: Config, grids: tuple[Truth, Truth]) -> Dataset:
         )
 
     fit, check = grids
-    return origins._make(config, {"truth/grid": dataset(fit), "truth/verification": dataset(check)}, lambda *_: None)
+    return origins.make(config, {"truth/grid": dataset(fit), "truth/verification": dataset(check)}, lambda *_: None)
 
 
 def fitted(values: Array, sets: Array, solver: str) -> Array:
@@ -279,4 +280,4 @@ def test_no_other_scene_is_compared() -> None:
     """The paper fits radiance above a black horizon."""
     text = (ROOT / "configs" / "preetham.toml").read_text(encoding="utf-8")
     for scene, wanted in (("", True), ("ground = [0.1, 0.1, 0.1]", False), ("sun_disc = true", False)):
-        assert origins.is_wanted(parse(tomllib.loads(f"{text}\n[scene]\n{scene}\n"), "a config")) == wanted
+        assert shows_origins(parse(tomllib.loads(f"{text}\n[scene]\n{scene}\n"), "a config")) == wanted

@@ -6,8 +6,9 @@ import hashlib
 import os
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import fields, is_dataclass
+from dataclasses import dataclass, fields, is_dataclass
 from functools import lru_cache, partial
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -24,6 +25,7 @@ _ELSEWHERE = (
     "run/plan.py",
     "run/progress.py",
     "run/provenance.py",
+    "run/steps.py",
 )
 _SUFFIXES = (".py", ".j2", ".h", ".c")
 # Each starts with plain letters, which are found much faster than blanks before them: ``_starts_line`` looks at those.
@@ -31,6 +33,23 @@ _FROM = re.compile(rf"from[ \t]+({PACKAGE}[\w.]*)[ \t]+import[ \t]+(\([^)]*\)|[^
 _IMPORT = re.compile(rf"import[ \t]+({PACKAGE}[\w.]*)")
 # A registry's places.
 _NAMED = re.compile(rf"({PACKAGE}[\w.]*):\w+[\"']")
+
+
+@dataclass(frozen=True)
+class Later:
+    """A function of this package by its place, ``"module:name"``, with its first arguments; imported when it is called.
+
+    >>> Later("math:hypot", (3.0,))(4.0)
+    5.0
+    """
+
+    place: str
+    arguments: tuple[Any, ...]
+
+    def __call__(self, *others: Any) -> Any:
+        """Call the function with ``arguments`` and then the ``others``."""
+        module, _, name = self.place.partition(":")
+        return getattr(import_module(module), name)(*self.arguments, *others)
 
 
 def version_of(make: Callable[..., Any]) -> str:
@@ -85,7 +104,10 @@ def _starts_line(text: str, place: int) -> bool:
 
 def _modules(value: Any) -> Iterator[str]:
     """Yield the names of this package's modules that ``value``, a function or bound data, comes from."""
-    if isinstance(value, partial):
+    if isinstance(value, Later):
+        yield value.place.partition(":")[0]
+        yield from _modules(value.arguments)
+    elif isinstance(value, partial):
         yield from _modules(value.func)
         for part in (*value.args, *value.keywords.values()):
             yield from _modules(part)

@@ -10,20 +10,9 @@ from numpy.typing import NDArray
 from skylight_sh.config.schema import Config
 from skylight_sh.fit.axis import Axis
 from skylight_sh.run.plan import Inputs
+from skylight_sh.run.steps import VARIABLES
 
 Array = NDArray[np.float64]
-
-VARIABLES = "truth/variables"
-
-
-def is_searched(config: Config) -> bool:
-    """Say whether any change of variable or the prefactor is to be found from samples."""
-    return config.fit.prefactor == "auto" or any(axis.map == "auto" for axis in config.axes)
-
-
-def searched(config: Config) -> tuple[str, ...]:
-    """Return the name of the search's step among a step's inputs, if there is one."""
-    return (VARIABLES,) if is_searched(config) else ()
 
 
 def given_axes(config: Config) -> tuple[Axis, ...]:

@@ -13,8 +13,9 @@ from skylight_sh.config.schema import Config
 from skylight_sh.fit.errors import Reference, mean_luminance, published
 from skylight_sh.light.preetham import Preetham
 from skylight_sh.quadrature import parameter_points
-from skylight_sh.run.config_axes import VARIABLES, axes_of
+from skylight_sh.run.config_axes import axes_of
 from skylight_sh.run.plan import Inputs
+from skylight_sh.run.steps import SURROUNDINGS, VARIABLES
 from skylight_sh.runtime import Scale, Specification, Surroundings, Table
 from skylight_sh.scene.fold import Scene, Sun, fold, luminance_scale
 from skylight_sh.sphere import Harmonics
@@ -26,8 +27,6 @@ from skylight_sh.table.table import specification
 from skylight_sh.table.twilight import TWILIGHT
 
 Array = NDArray[np.float64]
-
-SURROUNDINGS = "truth/surroundings"
 
 
 def scene_of(config: Config) -> Scene:
@@ -60,11 +59,6 @@ def scale_of(config: Config, inputs: Inputs) -> Scale | None:
     if not (config.fit.prefactor and hint):
         return None
     return closed_form(hint, axes, config.scene.fixed)
-
-
-def surrounded(config: Config) -> tuple[str, ...]:
-    """Return the name of the step that made the surroundings among a step's inputs, if there are any."""
-    return (SURROUNDINGS,) if config.scene.surrounded else ()
 
 
 def surroundings_of(inputs: Inputs) -> dict[int, Surroundings]:
@@ -106,11 +100,6 @@ def fit_of(config: Config, inputs: Inputs) -> GridFit:
     made = inputs["fit"]
     axes, scale = axes_of(config, inputs), scale_of(config, inputs)
     return GridFit(made["coefficients"], axes, config.fit.basis, scale, float(made["condition"]))
-
-
-def selected_on(config: Config) -> tuple[str, ...]:
-    """Return the names of the truth steps that selection sees."""
-    return ("truth/verification", *(("truth/random",) if config.truth.random else ()))
 
 
 def reference_of(config: Config, inputs: Inputs, truths: Sequence[str]) -> Reference:

@@ -17,14 +17,11 @@ from skylight_sh.config.schema import Config
 from skylight_sh.run import plan, progress
 from skylight_sh.run.files import from_dataset
 from skylight_sh.run.provenance import environment, settings, versions
-from skylight_sh.run.stages import export, fit, measure, origins, report, select, surroundings, truth, variables
+from skylight_sh.run.steps import steps
 from skylight_sh.store import atomic
 from skylight_sh.store.store import Store
 
 SUMS = "SHA256SUMS"
-# The order is the pipeline's: each stage reads only what stands before it. What the config's own pictures and lamps may
-# still have wrong with them is told first.
-STAGES = (surroundings, truth, variables, fit, origins, select, measure, export, report)
 
 
 @dataclass(frozen=True)
@@ -34,11 +31,6 @@ class Result:
     folder: Path
     stages: Mapping[str, Mapping[str, Any]]
     summary: Mapping[str, Any]
-
-
-def steps(config: Config) -> list[plan.Step]:
-    """Return the whole plan of a config."""
-    return [step for stage in STAGES for step in stage.steps(config)]
 
 
 def run(config: Config, store: Store, reports: Path, warn: Callable[[str], None]) -> Result:

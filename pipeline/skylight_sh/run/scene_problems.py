@@ -13,8 +13,9 @@ from skylight_sh.config.schema import Config
 from skylight_sh.config.surroundings_schema import CloudsSection
 from skylight_sh.probe import files
 from skylight_sh.probe.layouts import most_bands, patches
+from skylight_sh.run.steps import surroundings_bands
 from skylight_sh.scene.lamps import Lamp, Probe
-from skylight_sh.scene.surroundings import MOST_BANDS, mask_bands
+from skylight_sh.scene.surroundings import mask_bands
 
 # Beyond it float32 ends.
 _BRIGHTEST = 1e30
@@ -29,18 +30,12 @@ def check(config: Config) -> None:
 
 def find(config: Config) -> Iterator[Problem]:
     """Yield every problem of a config that has no other; pictures are read."""
-    most = bands_of(config)[-1]
+    most = surroundings_bands(config)[-1]
     if config.scene.clouds:
         yield from _picture(config, "$.scene.clouds.image", config.scene.clouds, mask_bands(most))
     for i, lamp in enumerate(config.scene.lights):
         path = f"$.scene.lights[{i}]"
         yield from _picture(config, f"{path}.image", lamp, most) if isinstance(lamp, Probe) else _lamp(path, lamp)
-
-
-def bands_of(config: Config) -> list[int]:
-    """Return the winners' numbers of bands, and that of a wider sky to hold their products against."""
-    asked = {winner.bands for winner in config.winners}
-    return sorted(asked | {min(config.truth.bands, MOST_BANDS)} if config.scene.masked else asked)
 
 
 def _lamp(path: str, lamp: Lamp) -> Iterator[Problem]:

@@ -13,8 +13,9 @@ from skylight_sh.fit.axis import Axis, of_table
 from skylight_sh.fit.errors import Reference
 from skylight_sh.quadrature import parameter_points, sampling
 from skylight_sh.quadrature.registry import suited
-from skylight_sh.run.config_axes import fit_nodes, is_searched
+from skylight_sh.run.config_axes import fit_nodes
 from skylight_sh.run.from_config import reference, specification_of
+from skylight_sh.run.steps import is_searched
 from skylight_sh.runtime import Specification, Table
 from skylight_sh.sphere import Harmonics
 

@@ -4,28 +4,22 @@ from __future__ import annotations
 
 import dataclasses
 import json
-from functools import partial
 from typing import Any
 
 from skylight_sh import __version__
 from skylight_sh.config.schema import Config
 from skylight_sh.config.wanted import wanted
 from skylight_sh.export import targets
+from skylight_sh.export.c_header import Facts
 from skylight_sh.fit.errors import published
 from skylight_sh.run.executors import Advance
 from skylight_sh.run.files import to_dataset
 from skylight_sh.run.from_config import headline_of, read_table
-from skylight_sh.run.plan import Inputs, Step
+from skylight_sh.run.plan import Inputs
 from skylight_sh.run.provenance import settings, settings_digest, whole_settings
 from skylight_sh.runtime import Table
 from skylight_sh.store.dataset import Dataset
 from skylight_sh.table.size import bytes_of, coefficients_of
-
-
-def steps(config: Config) -> list[Step]:
-    """Return the export's step."""
-    parameters = {"config": settings(config), "targets": config.export.targets, "version": __version__}
-    return [Step("export", "", ("select", "measure"), parameters, partial(_make, config))]
 
 
 def facts_of(config: Config, table: Table, measured: Dataset, name: str) -> dict[str, Any]:
@@ -48,10 +42,8 @@ def facts_of(config: Config, table: Table, measured: Dataset, name: str) -> dict
     }
 
 
-def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
-    # Templates take longer to import than a cached run should.
-    from skylight_sh.export.c_header import Facts
-
+def make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
+    """Write every winner's files and the summary."""
     select, measured = inputs["select"], inputs["measure"]
     asked = wanted(config)
     files: dict[str, bytes] = {}

@@ -2,39 +2,26 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict
-from functools import partial
-
 import numpy as np
 
 from skylight_sh.config.schema import Config
 from skylight_sh.fit.axis import Axis
 from skylight_sh.quadrature import parameter_points
-from skylight_sh.run.config_axes import axes_of, fit_nodes, searched
+from skylight_sh.run.config_axes import axes_of, fit_nodes
 from skylight_sh.run.executors import Advance
-from skylight_sh.run.from_config import scale_of, scene_of, surrounded
-from skylight_sh.run.plan import Inputs, Step
+from skylight_sh.run.from_config import scale_of, scene_of
+from skylight_sh.run.plan import Inputs
 from skylight_sh.run.stages.truth import harmonics_of
+from skylight_sh.run.steps import GRID
 from skylight_sh.scene.fold import fold
 from skylight_sh.store.dataset import Dataset, Variable
 from skylight_sh.table import grid_fit, npz
 from skylight_sh.table.table import specification, whole
 
 
-def steps(config: Config) -> list[Step]:
-    """Return the fit's step."""
-    parameters = {
-        "axes": [axis.model_dump(mode="json") for axis in config.axes],
-        "fit": config.fit.model_dump(mode="json"),
-        "light": {**asdict(config.light), "version": config.light.version},
-        "scene": config.scene.model_dump(mode="json"),
-    }
-    needed = ("truth/grid", *searched(config), *surrounded(config))
-    return [Step("fit", "", needed, parameters, partial(_make, config))]
-
-
-def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
-    grid = inputs["truth/grid"]
+def make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
+    """Fit the grid, and what is shown beside the fit."""
+    grid = inputs[GRID]
     harmonics = harmonics_of(config, grid)
     axes = axes_of(config, inputs)
     nodes = fit_nodes(config, axes)

@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from functools import partial
 
 import numpy as np
 
 from skylight_sh.config.schema import Config
 from skylight_sh.config.wanted import wanted
 from skylight_sh.fit.errors import Reference
-from skylight_sh.run.config_axes import searched
 from skylight_sh.run.executors import Advance
-from skylight_sh.run.from_config import degree_ranges, fit_of, read_table, reference_of, scene_of, surrounded
-from skylight_sh.run.plan import Inputs, Step
+from skylight_sh.run.from_config import degree_ranges, fit_of, read_table, reference_of, scene_of
+from skylight_sh.run.plan import Inputs
+from skylight_sh.run.steps import HELD_OUT, VERIFICATION
 from skylight_sh.runtime import Table
 from skylight_sh.scene.fold import window
 from skylight_sh.store.dataset import Dataset, Variable
@@ -22,20 +21,14 @@ from skylight_sh.table.grid_fit import swept
 from skylight_sh.table.row_layout import stored
 from skylight_sh.table.selection import BudgetError
 
-HELD_OUT = "truth/held-out"
 # Sets at which the least reconstructed luminance is sought.
 _LEAST_SETS = 150
 
 
-def steps(config: Config) -> list[Step]:
-    """Return the measurement's step."""
-    needed = ("fit", "select", HELD_OUT, "truth/verification", *searched(config), *surrounded(config))
-    return [Step("measure", "", needed, {}, partial(_make, config))]
-
-
-def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
+def make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
+    """Measure every table, fit and combination of degrees."""
     reference = reference_of(config, inputs, (HELD_OUT,))
-    seen = reference_of(config, inputs, ("truth/verification",))
+    seen = reference_of(config, inputs, (VERIFICATION,))
     if "mean" in seen.l_min:
         # The convention is the selection's, as its budgets are.
         reference = replace(reference, least=np.zeros_like(reference.least))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict
 from functools import partial
 
 import numpy as np
@@ -12,41 +11,22 @@ from skylight_sh.config.schema import Config
 from skylight_sh.fit import least_squares, paper_scheme
 from skylight_sh.fit.errors import mean_luminance
 from skylight_sh.quadrature import parameter_points
-from skylight_sh.run.config_axes import axes_of, fit_nodes, searched
+from skylight_sh.run.config_axes import axes_of, fit_nodes
 from skylight_sh.run.executors import Advance, map_tasks
-from skylight_sh.run.from_config import reference_of, selected_on
-from skylight_sh.run.plan import Inputs, Step
+from skylight_sh.run.from_config import reference_of
+from skylight_sh.run.plan import Inputs
 from skylight_sh.run.stages.truth import harmonics_of
+from skylight_sh.run.steps import GRID, selected_on
 from skylight_sh.store.dataset import Dataset, Variable
 
 Array = NDArray[np.float64]
 
-NAME = "origins"
-STEP = "fit/origins"
 # Side of the grid of cells, one random sample each, that stands for a truth.
 _SIDES = (12, 18, 26, 36, 50)
 
 
-def is_wanted(config: Config) -> bool:
-    """Say whether the report shows the origins, which are those of radiance above a black ground, as in the paper."""
-    scene = config.scene
-    return NAME in config.report.figures and scene.quantity == "radiance" and scene.ground == "black" and not scene.sun_disc
-
-
-def steps(config: Config) -> list[Step]:
-    """Return the step, if the report shows its picture."""
-    if not is_wanted(config):
-        return []
-    parameters = {
-        "light": {**asdict(config.light), "version": config.light.version},
-        "axes": [axis.model_dump(mode="json") for axis in config.axes],
-        "scene": config.scene.model_dump(mode="json"),
-    }
-    needed = ("truth/grid", *searched(config), *selected_on(config))
-    return [Step("fit", NAME, needed, parameters, partial(_make, config))]
-
-
-def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
+def make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
+    """Try each of what the paper's error may be made of."""
     scheme = _scheme(config, inputs)
     total = len(_SIDES) + 1
     found = []
@@ -67,7 +47,7 @@ def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
 
 
 def _scheme(config: Config, inputs: Inputs) -> paper_scheme.Scheme:
-    nodes, grid = fit_nodes(config, axes_of(config, inputs)), inputs["truth/grid"]
+    nodes, grid = fit_nodes(config, axes_of(config, inputs)), inputs[GRID]
     bands = min(paper_scheme.BANDS, config.truth.bands)
     weights = grid["weights"].reshape(-1, *grid["weights"].shape[-2:])
     stored = harmonics_of(config, grid).first(bands)

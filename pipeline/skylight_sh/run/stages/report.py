@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from functools import partial
 from typing import Any
 
 import numpy as np
@@ -11,36 +10,25 @@ from numpy.typing import NDArray
 from skylight_sh.config.schema import Config
 from skylight_sh.config.wanted import table_names
 from skylight_sh.quadrature import sampling
+from skylight_sh.report import errors_csv, page, style
 from skylight_sh.report.figures import PICTURES
 from skylight_sh.report.report_data import Entry, Material, Sweep
-from skylight_sh.run.config_axes import axes_of, searched
+from skylight_sh.run.config_axes import axes_of
 from skylight_sh.run.executors import Advance
 from skylight_sh.run.files import to_dataset
-from skylight_sh.run.from_config import read_table, scene_of, surrounded, surroundings_of
-from skylight_sh.run.plan import Inputs, Step
-from skylight_sh.run.provenance import drawing, settings
-from skylight_sh.run.stages import origins
+from skylight_sh.run.from_config import read_table, scene_of, surroundings_of
+from skylight_sh.run.plan import Inputs
+from skylight_sh.run.provenance import settings
 from skylight_sh.run.stages.truth import harmonics_of
+from skylight_sh.run.steps import ORIGINS, RULE, VERIFICATION
 from skylight_sh.scene.fold import fold
 from skylight_sh.store.dataset import Dataset
 
 Array = NDArray[np.float64]
 
-_INPUTS = ("truth/rule", "truth/verification", "fit", "select", "measure")
 
-
-def steps(config: Config) -> list[Step]:
-    """Return the report's step."""
-    parameters = {"config": settings(config), "drawing": drawing()}
-    explained = (origins.STEP,) if origins.is_wanted(config) else ()
-    needed = (*_INPUTS, *searched(config), *surrounded(config), *explained)
-    return [Step("report", "", needed, parameters, partial(_make, config))]
-
-
-def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
-    # Drawing libraries take longer to import than a cached run takes.
-    from skylight_sh.report import errors_csv, page, style
-
+def make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
+    """Draw the pictures and write the page."""
     material = _material(config, inputs)
     wanted = [name for name in PICTURES if name in config.report.figures]
     files = {"errors.csv": errors_csv.csv(material)}
@@ -59,9 +47,7 @@ def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
 
 
 def _material(config: Config, inputs: Inputs) -> Material:
-    fit, select, measured, grid, rule = (
-        inputs[name] for name in ("fit", "select", "measure", "truth/verification", "truth/rule")
-    )
+    fit, select, measured, grid, rule = (inputs[name] for name in ("fit", "select", "measure", VERIFICATION, RULE))
     names, harmonics = tuple(axis.name for axis in config.axes), harmonics_of(config, rule)
 
     def sample(values: Array) -> Array:
@@ -80,7 +66,7 @@ def _material(config: Config, inputs: Inputs) -> Material:
             (int(bands), layout): select[f"fronts/{bands}-{layout}"]
             for bands, layout in (n.removeprefix("fronts/").split("-") for n in select.variables if n.startswith("fronts/"))
         },
-        origins=_arrays(inputs[origins.STEP]) if origins.STEP in inputs else None,
+        origins=_arrays(inputs[ORIGINS]) if ORIGINS in inputs else None,
         winners=tuple(_entry(select, measured, f"tables/{name}", name) for name in table_names(config)),
         references=tuple(_entry(fit, measured, f"references/{r.name}", r.name) for r in config.fit.references),
         recommended=config.export.recommended,

@@ -10,7 +10,7 @@ import numpy as np
 from skylight_sh.config.schema import Config
 from skylight_sh.config.wanted import wanted
 from skylight_sh.quadrature import parameter_points
-from skylight_sh.run.config_axes import axes_of, fit_nodes, searched
+from skylight_sh.run.config_axes import axes_of, fit_nodes
 from skylight_sh.run.executors import Advance, map_tasks
 from skylight_sh.run.from_config import (
     degree_ranges,
@@ -18,13 +18,12 @@ from skylight_sh.run.from_config import (
     reference,
     reference_of,
     scene_of,
-    selected_on,
     specification_of,
-    surrounded,
     surroundings_of,
 )
-from skylight_sh.run.plan import Inputs, Step
+from skylight_sh.run.plan import Inputs
 from skylight_sh.run.stages.truth import harmonics_of
+from skylight_sh.run.steps import GRID, VERIFICATION, selected_on
 from skylight_sh.scene.fold import window
 from skylight_sh.store.dataset import Dataset, Variable
 from skylight_sh.table import npz, selection
@@ -35,14 +34,8 @@ from skylight_sh.table.selection import Point, SearchData, Selected
 _SWEPT_EACH = 8
 
 
-def steps(config: Config) -> list[Step]:
-    """Return the selection's step."""
-    parameters = {"winners": [winner.model_dump(mode="json") for winner in config.winners]}
-    needed = ("fit", "truth/grid", *searched(config), *surrounded(config), *selected_on(config))
-    return [Step("select", "", needed, parameters, partial(_make, config))]
-
-
-def _make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
+def make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
+    """Select a table for every request."""
     data, asked = _gather(config, inputs), wanted(config)
     dense = inputs["fit"]["coefficients"]
     made = {request.name: selection.given(request, dense, data) for request in asked if request.degrees is not None}
@@ -68,7 +61,7 @@ def _call(job: Callable[[], list[Selected]]) -> list[Selected]:
 
 
 def _gather(config: Config, inputs: Inputs) -> SearchData:
-    grid = inputs["truth/grid"]
+    grid = inputs[GRID]
     spec, axes = specification_of(config, inputs, harmonics_of(config, grid)), axes_of(config, inputs)
     nodes = fit_nodes(config, axes)
     checked = reference_of(config, inputs, selected_on(config))
@@ -81,7 +74,7 @@ def _gather(config: Config, inputs: Inputs) -> SearchData:
         grid=reference(config, parameter_points.grid(nodes), radiance, grid["degree"], grid["least_luminance"].ravel()),
         shape=tuple(n.size for n in nodes),
         reference=checked,
-        checked_shape=inputs["truth/verification"]["least_luminance"].shape,
+        checked_shape=inputs[VERIFICATION]["least_luminance"].shape,
         degrees=tuple(axis.degrees[1] for axis in config.axes),
         sweep=swept(fit_of(config, inputs), checked.some(_SWEPT_EACH), degree_ranges(config), bands),
         window=partial(window, scene_of(config)),

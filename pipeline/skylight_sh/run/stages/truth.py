@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import asdict
-from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,9 +12,10 @@ from skylight_sh.fit.axis import Axis
 from skylight_sh.quadrature import convergence, parameter_points, sampling, validation
 from skylight_sh.quadrature.registry import suited
 from skylight_sh.quadrature.samples import Samples
-from skylight_sh.run.config_axes import axes_of, fit_nodes, given_axes, searched, verification_nodes
+from skylight_sh.run.config_axes import axes_of, fit_nodes, given_axes, verification_nodes
 from skylight_sh.run.executors import Advance, map_tasks
-from skylight_sh.run.plan import Inputs, Step
+from skylight_sh.run.plan import Inputs
+from skylight_sh.run.steps import RULE
 from skylight_sh.sphere import Harmonics
 from skylight_sh.store.dataset import Dataset, Variable
 
@@ -26,41 +25,8 @@ NodesOf = Callable[[Config, tuple[Axis, ...]], list[Array]]
 _SETS_PER_TASK = 64
 
 
-def steps(config: Config) -> list[Step]:
-    """Return the rule's step and one for each collection of parameter sets that the config asks for."""
-    common = {
-        "light": {**asdict(config.light), "version": config.light.version},
-        "ranges": [(axis.name, axis.range) for axis in config.axes],
-        "bands": config.truth.bands,
-        "tolerance": config.truth.tolerance,
-        "orders": config.truth.orders,
-        "rule": config.truth.rule,
-        "hints": config.truth.hints,
-        # Of the scene only what the light itself loses by it.
-        "scene": {"fixed": config.scene.fixed, "channels": config.scene.channels},
-    }
-    rule = Step("truth", "rule", (), common, partial(_make_rule, config))
-    needed, spacing = (rule.name, *searched(config)), spacing_of(config)
-    found = [
-        rule,
-        Step("truth", "grid", needed, spacing, partial(make_grid, config, fit_nodes, "grid")),
-        Step(
-            "truth",
-            "verification",
-            needed,
-            {"fit": spacing, "count": [(axis.name, axis.verification) for axis in config.axes]},
-            partial(make_grid, config, verification_nodes, "verification"),
-        ),
-    ]
-    if config.truth.random:
-        drawn = {"count": config.truth.random, "seed": config.truth.seed}
-        found.append(Step("truth", "random", (rule.name,), drawn, partial(_make_random, config)))
-    kept = {"count": config.truth.held_out, "edge": config.truth.held_out_edge, "seed": config.truth.held_out_seed}
-    found.append(Step("truth", "held-out", (rule.name,), kept, partial(_make_held_out, config)))
-    return found
-
-
-def _make_rule(config: Config, _: Inputs, __: Advance) -> Dataset:
+def make_rule(config: Config, _: Inputs, __: Advance) -> Dataset:
+    """Look at the light, and choose the truth rule and its number of nodes."""
     light, truth = config.source, config.truth
     ranges = {axis.name: axis.range for axis in config.axes}
     validation.vet(light, ranges)
@@ -77,12 +43,22 @@ def harmonics_of(config: Config, artifact: Dataset) -> Harmonics:
     return Harmonics(config.truth.bands, bool(artifact.attrs["mirrored"]))
 
 
-def spacing_of(config: Config) -> list[tuple[object, ...]]:
-    """Return what decides the fit grid; a list, since the order of the axes is the order of the samples."""
-    return [(axis.name, axis.nodes, axis.spacing, axis.map, axis.point) for axis in config.axes]
+def make_grid(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
+    """Sample the fit's grid."""
+    return _make_grid(config, fit_nodes, "grid", inputs, advance)
 
 
-def make_grid(config: Config, nodes_of: NodesOf, name: str, inputs: Inputs, advance: Advance) -> Dataset:
+def make_probe(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
+    """Sample a grid as the fit's, in the parameters themselves: no change of variable is known yet."""
+    return _make_grid(config, fit_nodes, "probe", inputs, advance)
+
+
+def make_verification(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
+    """Sample the grid that selection sees."""
+    return _make_grid(config, verification_nodes, "verification", inputs, advance)
+
+
+def _make_grid(config: Config, nodes_of: NodesOf, name: str, inputs: Inputs, advance: Advance) -> Dataset:
     """Sample the grid of ``nodes_of`` the axes; ``name`` says what it is for."""
     axes = axes_of(config, inputs)
     nodes = nodes_of(config, axes)
@@ -96,12 +72,14 @@ def make_grid(config: Config, nodes_of: NodesOf, name: str, inputs: Inputs, adva
     return _dataset(config, coordinates, dims, shape, samples, rule, name)
 
 
-def _make_random(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
+def make_random(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
+    """Sample the random sets that selection sees."""
     sets = parameter_points.random([axis.range for axis in config.axes], config.truth.random, config.truth.seed)
     return _make_list(config, sets, "random", inputs, advance)
 
 
-def _make_held_out(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
+def make_held_out(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
+    """Sample the sets that only errors are measured on."""
     truth = config.truth
     # The sets do not hang on the order in which a config names its axes.
     order = np.argsort([axis.name for axis in config.axes])
@@ -120,7 +98,7 @@ def _make_list(config: Config, sets: Array, name: str, inputs: Inputs, advance: 
 
 def _sample(config: Config, sets: Array, inputs: Inputs, advance: Advance) -> tuple[Samples, Dataset]:
     """Sample parameter sets ``(n, axes)``, in tasks; the samples' shapes start with ``(n,)``."""
-    rule, light = inputs["truth/rule"], config.source
+    rule, light = inputs[RULE], config.source
     nodes, name, harmonics = int(rule.attrs["nodes"]), str(rule.attrs["rule"]), harmonics_of(config, rule)
     names = tuple(axis.name for axis in config.axes)
     blocks = parameter_points.chunks(sets, sampling.peak_of(light, names), _SETS_PER_TASK)

@@ -17,7 +17,7 @@ from skylight_sh.run import plan
 from skylight_sh.run.from_config import headline_of, read_table
 from skylight_sh.run.progress import silent
 from skylight_sh.run.provenance import settings
-from skylight_sh.run.runner import steps
+from skylight_sh.run.steps import steps
 from skylight_sh.runtime import Table
 from skylight_sh.store.store import Store
 from skylight_sh.studies import compiled

@@ -23,7 +23,8 @@ from skylight_sh.config.schema import Config
 from skylight_sh.run import plan
 from skylight_sh.run.blas import one_thread
 from skylight_sh.run.files import from_dataset
-from skylight_sh.run.runner import run, steps
+from skylight_sh.run.runner import run
+from skylight_sh.run.steps import steps
 from skylight_sh.store.dataset import Dataset
 from skylight_sh.store.store import Store
 

@@ -1,0 +1,196 @@
+"""What a config's run consists of: every step, what it reads and what its result hangs on.
+
+A step's function stands in a stage's file, ``run/stages/``, and is imported when the step is made: a run whose artifacts are
+all in the store loads none of the numerics.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Iterator, Sequence
+from dataclasses import asdict
+from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
+from typing import Any
+
+from skylight_sh import __version__
+from skylight_sh.config.schema import Config
+from skylight_sh.config.section import Section
+from skylight_sh.run.code import Later
+from skylight_sh.run.plan import Step
+from skylight_sh.run.provenance import drawing, settings
+from skylight_sh.scene.surroundings import MOST_BANDS
+
+RULE, GRID, VERIFICATION, RANDOM, HELD_OUT = (
+    f"truth/{part}" for part in ("rule", "grid", "verification", "random", "held-out")
+)
+PROBE, VARIABLES, SURROUNDINGS = (f"truth/{part}" for part in ("probe", "variables", "surroundings"))
+ORIGINS = "fit/origins"
+
+
+def steps(config: Config) -> list[Step]:
+    """Return the whole plan of a config, each step after those that it reads.
+
+    What the config's own pictures and lamps may still have wrong with them is told first.
+    """
+    stages = (_surroundings, _truth, _variables, _fit, _origins, _select, _measure, _export, _report)
+    return [step for stage in stages for step in stage(config)]
+
+
+def is_searched(config: Config) -> bool:
+    """Say whether any change of variable or the prefactor is to be found from samples."""
+    return config.fit.prefactor == "auto" or any(axis.map == "auto" for axis in config.axes)
+
+
+def shows_origins(config: Config) -> bool:
+    """Say whether the report shows the origins, which are those of radiance above a black ground, as in the paper."""
+    scene = config.scene
+    shown = "origins" in config.report.figures
+    return shown and scene.quantity == "radiance" and scene.ground == "black" and not scene.sun_disc
+
+
+def selected_on(config: Config) -> tuple[str, ...]:
+    """Return the names of the truth's steps that selection sees."""
+    return (VERIFICATION, *((RANDOM,) if config.truth.random else ()))
+
+
+def middle_budget(config: Config) -> float:
+    """Return the error that the search for variables aims at: the middle one of all budgets asked for."""
+    budgets = sorted(budget for winner in config.winners for budget in winner.budgets)
+    return budgets[len(budgets) // 2] if budgets else 1e-3
+
+
+def surroundings_bands(config: Config) -> list[int]:
+    """Return the winners' numbers of bands, and that of a wider sky to hold their products against."""
+    asked = {winner.bands for winner in config.winners}
+    return sorted(asked | {min(config.truth.bands, MOST_BANDS)} if config.scene.masked else asked)
+
+
+def _searched(config: Config) -> tuple[str, ...]:
+    return (VARIABLES,) if is_searched(config) else ()
+
+
+def _surrounded(config: Config) -> tuple[str, ...]:
+    return (SURROUNDINGS,) if config.scene.surrounded else ()
+
+
+def _step(name: str, inputs: tuple[str, ...], parameters: Any, make: str, config: Config) -> Step:
+    stage, _, part = name.partition("/")
+    return Step(stage, part, inputs, parameters, Later(f"skylight_sh.run.stages.{make}", (config,)))
+
+
+def _truth(config: Config) -> Iterator[Step]:
+    truth = config.truth
+    common = {
+        "light": _light(config),
+        "ranges": [(axis.name, axis.range) for axis in config.axes],
+        "bands": truth.bands,
+        "tolerance": truth.tolerance,
+        "orders": truth.orders,
+        "rule": truth.rule,
+        "hints": truth.hints,
+        # Of the scene only what the light itself loses by it.
+        "scene": {"fixed": config.scene.fixed, "channels": config.scene.channels},
+    }
+    yield _step(RULE, (), common, "truth:make_rule", config)
+    needed, spacing = (RULE, *_searched(config)), _spacing(config)
+    yield _step(GRID, needed, spacing, "truth:make_grid", config)
+    checked = {"fit": spacing, "count": [(axis.name, axis.verification) for axis in config.axes]}
+    yield _step(VERIFICATION, needed, checked, "truth:make_verification", config)
+    if truth.random:
+        yield _step(RANDOM, (RULE,), {"count": truth.random, "seed": truth.seed}, "truth:make_random", config)
+    kept = {"count": truth.held_out, "edge": truth.held_out_edge, "seed": truth.held_out_seed}
+    yield _step(HELD_OUT, (RULE,), kept, "truth:make_held_out", config)
+
+
+def _variables(config: Config) -> Iterator[Step]:
+    """Yield a grid in the parameters themselves and the search; nothing where nothing is searched."""
+    if is_searched(config):
+        spacing = _spacing(config)
+        yield _step(PROBE, (RULE,), spacing, "truth:make_probe", config)
+        searched = {"nodes": spacing, "prefactor": config.fit.prefactor, "budget": middle_budget(config)}
+        yield _step(VARIABLES, (PROBE,), searched, "variables:make", config)
+
+
+def _surroundings(config: Config) -> Iterator[Step]:
+    """Yield the step; nothing where nothing surrounds the scene."""
+    scene = config.scene
+    if scene.surrounded:
+        pictures = [lamp.image for lamp in scene.lights if lamp.image] + ([scene.clouds.image] if scene.clouds else [])
+        parameters = {
+            "scene": scene.model_dump(mode="json"),
+            "pictures": [_sum(config.file(image)) for image in pictures],
+            "reader": _reader() if pictures else "",
+            "bands": surroundings_bands(config),
+            "channels": config.source.channels,
+        }
+        yield _step(SURROUNDINGS, (), parameters, "surroundings:make", config)
+
+
+def _fit(config: Config) -> Iterator[Step]:
+    """Yield one fit of the whole grid, with the fits shown beside it."""
+    parameters = {
+        "axes": _dump(config.axes),
+        "fit": config.fit.model_dump(mode="json"),
+        "light": _light(config),
+        "scene": config.scene.model_dump(mode="json"),
+    }
+    yield _step("fit", (GRID, *_searched(config), *_surrounded(config)), parameters, "fit:make", config)
+
+
+def _origins(config: Config) -> Iterator[Step]:
+    """Yield the step, if the report shows its picture."""
+    if shows_origins(config):
+        scene = config.scene.model_dump(mode="json")
+        parameters = {"light": _light(config), "axes": _dump(config.axes), "scene": scene}
+        yield _step(ORIGINS, (GRID, *_searched(config), *selected_on(config)), parameters, "origins:make", config)
+
+
+def _select(config: Config) -> Iterator[Step]:
+    needed = ("fit", GRID, *_searched(config), *_surrounded(config), *selected_on(config))
+    yield _step("select", needed, {"winners": _dump(config.winners)}, "select:make", config)
+
+
+def _measure(config: Config) -> Iterator[Step]:
+    needed = ("fit", "select", HELD_OUT, VERIFICATION, *_searched(config), *_surrounded(config))
+    yield _step("measure", needed, {}, "measure:make", config)
+
+
+def _export(config: Config) -> Iterator[Step]:
+    parameters = {"config": settings(config), "targets": config.export.targets, "version": __version__}
+    yield _step("export", ("select", "measure"), parameters, "export:make", config)
+
+
+def _report(config: Config) -> Iterator[Step]:
+    parameters = {"config": settings(config), "drawing": drawing()}
+    explained = (ORIGINS,) if shows_origins(config) else ()
+    needed = (RULE, VERIFICATION, "fit", "select", "measure", *_searched(config), *_surrounded(config), *explained)
+    yield _step("report", needed, parameters, "report:make", config)
+
+
+def _spacing(config: Config) -> list[tuple[object, ...]]:
+    """Return what decides the fit grid; a list, since the order of the axes is the order of the samples."""
+    return [(axis.name, axis.nodes, axis.spacing, axis.map, axis.point) for axis in config.axes]
+
+
+def _light(config: Config) -> dict[str, Any]:
+    return {**asdict(config.light), "version": config.light.version}
+
+
+def _dump(sections: Sequence[Section]) -> list[Any]:
+    return [section.model_dump(mode="json") for section in sections]
+
+
+def _reader() -> str:
+    try:
+        return version("OpenImageIO")
+    except PackageNotFoundError:
+        return ""
+
+
+def _sum(picture: Path) -> str:
+    """Return the SHA-256 of a picture, or nothing where it cannot be read: the step then tells why."""
+    try:
+        return hashlib.sha256(picture.read_bytes()).hexdigest()
+    except OSError:
+        return ""
