@@ -46,6 +46,10 @@ def matrix(space: str) -> Array:
 
 
 def luminance_row(space: str) -> Array:
-    """Return the factors, shape ``(3,)``, that turn linear RGB of ``space`` into luminance Y."""
+    """Return the factors, shape ``(3,)``, that turn linear RGB of ``space`` into luminance Y.
+
+    >>> luminance_row("srgb").round(4).tolist()
+    [0.2127, 0.7152, 0.0722]
+    """
     row: Array = np.linalg.inv(matrix(space))[1]
     return row

@@ -115,6 +115,10 @@ def sun_angle(directions: Array, theta: Array) -> tuple[Array, Array]:
     """Return the angle between ``directions`` ``(..., 3)`` and a sun at zenith angle ``theta``, azimuth 0, and its cosine.
 
     ``theta`` broadcasts against ``directions.shape[:-1]``. The arc tangent keeps full precision at a sky's cusp.
+
+    >>> angle, cosine = sun_angle(np.array([0.0, 0.0, 1.0]), np.array(0.5))
+    >>> round(float(angle), 12), round(float(cosine), 4)
+    (0.5, 0.8776)
     """
     x, y, z = directions[..., 0], directions[..., 1], directions[..., 2]
     sin_theta, cos_theta = np.sin(theta), np.cos(theta)

@@ -37,6 +37,10 @@ def half_angles(
     receiver on a light's surface sees half of all directions. Inside one it sees nothing but light: ``inside = "sphere"``
     makes that the half-angle pi, ``"refuse"`` raises InsideLightError. Raises ValueError for a negative radius, a value
     that is not finite, and a light without extent at its receiver.
+
+    >>> angle, direction = half_angles([0.0, 0.0, 2.0], 1.0)
+    >>> round(float(angle), 4), direction.tolist()
+    (0.5236, [0.0, 0.0, 1.0])
     """
     radius, offset = np.asarray(radii, dtype=np.float64), np.subtract(centres, receivers, dtype=np.float64)
     _check("radius", radius, low=0.0)
@@ -83,7 +87,11 @@ def directional(directions: ArrayLike, bands: int) -> Array:
 
 
 def points(centres: ArrayLike, bands: int, receivers: ArrayLike = (0.0, 0.0, 0.0)) -> Array:
-    """Return the weights of point lights of intensity 1 (a candela for lux in metres): irradiance 1 / distance squared."""
+    """Return the weights of point lights of intensity 1 (a candela for lux in metres): irradiance 1 / distance squared.
+
+    >>> points([0.0, 0.0, 2.0], 1).round(4).tolist()  # a quarter of y_00
+    [0.0705]
+    """
     offset = np.subtract(centres, receivers, dtype=np.float64)
     _check("centre or receiver", offset)
     distance = _length(offset)

@@ -75,7 +75,11 @@ _OZONE_CM, _VAPOUR_CM = 0.35, 2.0
 
 
 def optical_mass(theta: ArrayLike) -> Array:
-    """Return the air's mass towards zenith angle ``theta`` (radians) over that towards the zenith (Kasten 1965)."""
+    """Return the air's mass towards zenith angle ``theta`` (radians) over that towards the zenith (Kasten 1965).
+
+    >>> optical_mass([0.0, np.pi / 3]).round(2).tolist()
+    [1.0, 1.99]
+    """
     angle = np.asarray(theta, dtype=np.float64)
     return np.asarray(1.0 / (np.cos(angle) + 0.15 * (93.885 - np.degrees(angle)) ** -1.253))
 
@@ -140,6 +144,9 @@ def from_below(theta: ArrayLike) -> Array:
 
     ``theta`` is the zenith angle of the disc's centre in radians, up to pi / 2. The disc counts as flat, which errs by the
     square of its half-angle, 2e-5 of this.
+
+    >>> from_below(1.0).tolist()
+    0.0
     """
     height = np.clip((np.pi / 2 - np.asarray(theta, dtype=np.float64)) / HALF_ANGLE, 0.0, 1.0)
     chord = np.sqrt((1.0 - height) * (1.0 + height))

@@ -17,5 +17,9 @@ def to_dataset(files: Mapping[str, bytes]) -> Dataset:
 
 
 def from_dataset(dataset: Dataset) -> dict[str, bytes]:
-    """Return the files of an artifact."""
+    """Return the files of an artifact.
+
+    >>> from_dataset(to_dataset({"a.txt": b"told"}))
+    {'a.txt': b'told'}
+    """
     return {name.removeprefix(_PLACE): v.data.tobytes() for name, v in dataset.variables.items() if name.startswith(_PLACE)}

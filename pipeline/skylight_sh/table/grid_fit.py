@@ -44,7 +44,11 @@ class GridFit:
 
 
 def factor_at(scale: Scale | None, sets: Array) -> Array:
-    """Return the factor at parameter sets ``(n, axes)`` in double precision, ``(n,)``; ones where there is none."""
+    """Return the factor at parameter sets ``(n, axes)`` in double precision, ``(n,)``; ones where there is none.
+
+    >>> factor_at(None, np.zeros((2, 1))).tolist()
+    [1.0, 1.0]
+    """
     return np.asarray(prefactor.evaluate(scale, sets), dtype=np.float64)
 
 

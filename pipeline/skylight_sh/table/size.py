@@ -33,7 +33,14 @@ def bytes_of(table: Table, bands: int | None = None) -> int:
 
 
 def coefficients_of(table: Table) -> int:
-    """Return how many coefficients are kept, padding left out."""
+    """Return how many coefficients are kept, padding left out.
+
+    >>> from skylight_sh.fit.axis import Axis
+    >>> from skylight_sh.table import table as tables
+    >>> spec = tables.specification([Axis("height", 0.0, 1.0)], ("luminance",), True, "chebyshev")
+    >>> coefficients_of(tables.whole(spec, np.ones((1, 1, 3)), 1, "float32"))
+    3
+    """
     if isinstance(table.body, Packed):
         return int(np.count_nonzero(unpack(table.body, table.places)))
     return len(table.body.rows) * int(np.count_nonzero(table.body.columns >= 0))
