@@ -13,7 +13,7 @@ import pytest
 from conftest import with_spec
 from skylight_sh import runtime
 from skylight_sh.export import c_comment, c_header, day, shaders
-from skylight_sh.export.shader_dialects import GLSL
+from skylight_sh.export.targets.glsl import DIALECT as GLSL
 from skylight_sh.fit.axis import Axis
 from skylight_sh.light.preetham import Preetham
 from skylight_sh.scene import solar

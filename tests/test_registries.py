@@ -113,6 +113,18 @@ from skylight_sh.export.target import Target
 
 TARGET = Target(lambda table, facts, prefix: {f"{prefix}.json": json.dumps({"bands": table.bands}).encode()})
 '''
+LANGUAGE = '''"""Slang functions of tables of layout rows in float32."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from skylight_sh.export.targets import shader
+from skylight_sh.export.targets.hlsl import DIALECT as HLSL
+
+DIALECT = replace(HLSL, title="Slang", extension="slang")
+TARGET = shader.target(DIALECT)
+'''
 PICTURE = '''"""One dot."""
 
 from __future__ import annotations
@@ -167,6 +179,14 @@ ADDITIONS = {
         '"json": "skylight_sh.export.targets.json:TARGET",',
         {"targets": '["c", "npz", "json"]'},
         "export/skylight_sh.json",
+    ),
+    "shading language": Addition(
+        "export/targets/slang.py",
+        LANGUAGE,
+        "export/shader_dialects.py",
+        '"slang": "skylight_sh.export.targets.slang:DIALECT",',
+        {"targets": '["c", "npz", "slang"]'},
+        "export/skylight_sh.slang",
     ),
     "picture": Addition(
         "report/figures/dot.py",

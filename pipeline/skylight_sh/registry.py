@@ -10,7 +10,7 @@ import ast
 from collections.abc import Iterator, Mapping
 from importlib import import_module
 from importlib.util import find_spec
-from typing import Generic, TypeVar
+from typing import Any, Generic, TypeVar
 
 T = TypeVar("T")
 
@@ -23,6 +23,8 @@ class Registry(Mapping[str, T], Generic[T]):
     >>> constants = Registry({"pi": "math:pi", "tau": "math:tau"})
     >>> list(constants), "e" in constants, round(constants["tau"], 3)
     (['pi', 'tau'], False, 6.283)
+    >>> list(constants | Registry({"e": "math:e"})), constants.beside("inf")["pi"]
+    (['pi', 'tau', 'e'], inf)
     """
 
     def __init__(self, places: Mapping[str, str]) -> None:
@@ -43,6 +45,13 @@ class Registry(Mapping[str, T], Generic[T]):
 
     def __contains__(self, name: object) -> bool:
         return name in self._places
+
+    def __or__(self, other: Registry[T]) -> Registry[T]:
+        return Registry({**self._places, **other._places})
+
+    def beside(self, attribute: str) -> Registry[Any]:
+        """Return what the modules of the same names hold as another ``attribute``."""
+        return Registry({name: f"{place.partition(':')[0]}:{attribute}" for name, place in self._places.items()})
 
     def about(self, name: str) -> str:
         """Return the first line of the text that opens the module of ``name``, without its full stop; nothing is run."""

@@ -1,4 +1,4 @@
-"""Shading languages as data: how GLSL, HLSL and WGSL spell types, constants, locals, loops and functions.
+"""Shading languages as data: how one spells types, constants, locals, loops and functions. One file a language, named here.
 
 What they have in common (operators, components, ``if``, ``clamp``, ``floor``, elementary functions, comments) needs no
 description. Types are named here as the generator names them: ``real``, ``whole``, ``vec2``, ``vec3`` and ``vec4``.
@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from skylight_sh.registry import Registry
 
@@ -102,61 +102,11 @@ def check_prefix(prefix: str) -> None:
         raise ValueError(f"Invalid prefix {prefix!r} for shaders. Should not begin with gl_ or webgl_, hold __ or end in _.")
 
 
-GLSL = Dialect(
-    title="GLSL",
-    extension="glsl",
-    about="GLSL ES 3.00 (WebGL 2) and GLSL 3.30 or newer; makes highp the default precision of floats and ints",
-    types={"real": "float", "whole": "int", "vec2": "vec2", "vec3": "vec3", "vec4": "vec4"},
-    opening="#ifndef {guard}_GLSL\n#define {guard}_GLSL\n"
-    "#ifdef GL_ES\nprecision highp float;\nprecision highp int;\n#endif\n\n",
-    closing="\n#endif // {guard}_GLSL\n",
-    constant_form="const {type} {name} = {value};",
-    constants_form="const {type} {name}[{size}] = {type}[{size}]({items});",
-    fixed_form="{type} {name} = {value};",
-    variable_form="{type} {name} = {value};",
-    array_form="{type} {name}[{size}];",
-    loop_form="for (int {name} = 0; {name} < {size}; ++{name}) {{",
-    function_form="{type} {name}({parameters})",
-    parameter_form="{type} {name}",
-    array_parameter_form="{type} {name}[{size}]",
-    result_parameter_form="out {type} {name}[{size}]",
-    element_form="{name}[{index}]",
-)
-HLSL = replace(
-    GLSL,
-    title="HLSL",
-    extension="hlsl",
-    about="HLSL, shader model 4 or newer",
-    types={"real": "float", "whole": "int", "vec2": "float2", "vec3": "float3", "vec4": "float4"},
-    opening="#ifndef {guard}_HLSL\n#define {guard}_HLSL\n\n",
-    closing="\n#endif // {guard}_HLSL\n",
-    constant_form="static const {type} {name} = {value};",
-    constants_form="static const {type} {name}[{size}] = {{{items}}};",
-    fixed_form="const {type} {name} = {value};",
-)
-WGSL = Dialect(
-    title="WGSL",
-    extension="wgsl",
-    about="WGSL (WebGPU), no extension; pass &weights to fill a function's own array",
-    types={"real": "f32", "whole": "i32", "vec2": "vec2<f32>", "vec3": "vec3<f32>", "vec4": "vec4<f32>"},
-    opening="",
-    closing="",
-    constant_form="const {name}: {type} = {value};",
-    constants_form="const {name} = array<{type}, {size}>({items});",
-    fixed_form="let {name}: {type} = {value};",
-    variable_form="var {name}: {type} = {value};",
-    array_form="var {name}: array<{type}, {size}>;",
-    loop_form="for (var {name}: i32 = 0; {name} < {size}; {name}++) {{",
-    function_form="fn {name}({parameters}) -> {type}",
-    parameter_form="{name}: {type}",
-    array_parameter_form="{name}: array<{type}, {size}>",
-    result_parameter_form="{name}: ptr<function, array<{type}, {size}>>",
-    element_form="(*{name})[{index}]",
-)
+# Each language's file holds its dialect, DIALECT, and the target that ships it, TARGET.
 DIALECTS: Registry[Dialect] = Registry(
     {
-        "glsl": "skylight_sh.export.shader_dialects:GLSL",
-        "hlsl": "skylight_sh.export.shader_dialects:HLSL",
-        "wgsl": "skylight_sh.export.shader_dialects:WGSL",
+        "glsl": "skylight_sh.export.targets.glsl:DIALECT",
+        "hlsl": "skylight_sh.export.targets.hlsl:DIALECT",
+        "wgsl": "skylight_sh.export.targets.wgsl:DIALECT",
     }
 )

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+from skylight_sh.export.shader_dialects import DIALECTS
 from skylight_sh.export.target import Target
 from skylight_sh.registry import Registry
 
@@ -16,12 +17,9 @@ TARGETS: Registry[Target] = Registry(
     {
         "c": "skylight_sh.export.targets.c:TARGET",
         "npz": "skylight_sh.export.targets.npz:TARGET",
-        "glsl": "skylight_sh.export.targets.glsl:TARGET",
-        "hlsl": "skylight_sh.export.targets.hlsl:TARGET",
-        "wgsl": "skylight_sh.export.targets.wgsl:TARGET",
         "vectors": "skylight_sh.export.targets.vectors:TARGET",
     }
-)
+) | DIALECTS.beside("TARGET")
 # What every run ships.
 ALWAYS = ("c", "npz")
 
