@@ -79,7 +79,7 @@ async function webgpu(device, { source, width, height }) {
   const encoder = device.createCommandEncoder();
   const pass = encoder.beginComputePass();
   pass.setPipeline(pipeline);
-  pass.setBindGroup(0, device.createBindGroup({ layout: skylight_sh.getBindGroupLayout(0), entries }));
+  pass.setBindGroup(0, device.createBindGroup({ layout: pipeline.getBindGroupLayout(0), entries }));
   pass.dispatchWorkgroups(width, height);
   pass.end();
   encoder.copyBufferToBuffer(made, 0, read, 0, size);

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import subprocess
 import time
 from collections.abc import Iterator
 from pathlib import Path
@@ -38,6 +39,7 @@ import dataclasses
 
 import numpy as np
 
+from skylight_sh.formula.elementary import exp, label
 from skylight_sh.light import Domain, Hints
 from skylight_sh.light.preetham import Preetham
 
@@ -67,6 +69,11 @@ HINTS = {
         name="own", constants=(float("nan"),), formula=lambda theta, strength, k: strength + k[0]
     ),
     "prefactor of nothing": Hints(prefactor=KNOWN),
+    "own prefactor": prefactor(
+        name="of_this_package",
+        constants=(10.0, 0.75),
+        formula=lambda theta, strength, k: label(k[0] + strength * exp(-theta * k[1]), "glow"),
+    ),
     "another's name": prefactor(formula=lambda theta, strength, _: 2.25 - strength),
 }
 CHANNELS = {"no channels": (), "same channels": ("red", "red"), "a text of channels": "red", "unnamed": ("",), "three": 3}
@@ -330,6 +337,39 @@ def test_what_a_light_raises_in_another_process_is_one_message_too(tmp_path: Pat
 def test_the_same_light_in_its_right_mind_goes_all_the_way(tmp_path: Path) -> None:
     result = run_quietly(load(write(tmp_path, "sound")), tmp_path)
     assert 0.0 < result.summary["tables"][0]["e_mean"] < 0.05
+
+
+def test_a_package_s_own_prefactor_travels_with_its_tables(tmp_path: Path) -> None:
+    """Under any name: in the archive as a program, in C as statements, each the formula to single precision."""
+    text = CONFIG.replace("prefactor = false", "prefactor = true")
+    result = run_quietly(load(write(tmp_path, "own prefactor", text)), tmp_path)
+    assert 0.0 < result.summary["tables"][0]["e_mean"] < 0.05
+    loaded = runtime.load(result.folder / "export" / "skylight_sh.npz")
+    scale = loaded.table.spec.scale
+    assert scale is not None
+    assert (scale.kind, scale.name, scale.program.constants) == ("closed form", "of_this_package", (10.0, 0.75))
+    theta, strength = np.array([0.0, 0.7, 1.5]), np.array([1.0, 2.5, 4.0])
+    assert scale.program.run([theta, strength])[0] == pytest.approx(10.0 + strength * np.exp(-0.75 * theta), rel=1e-15)
+    program = """#include <stdio.h>
+#include "skylight_sh.h"
+int main(void) { static float w[1][SKYLIGHT_SH_WEIGHTS]; int i; skylight_sh_weights(0.7f, 0.4f, 2.5f, w);
+for (i = 0; i < SKYLIGHT_SH_WEIGHTS; ++i) printf("%.9g\\n", (double)w[0][i]); return 0; }
+"""
+    (tmp_path / "w.c").write_text(program, encoding="utf-8")
+    command = [
+        "cc",
+        "-std=c99",
+        "-I",
+        str(result.folder / "export"),
+        str(tmp_path / "w.c"),
+        "-o",
+        str(tmp_path / "w"),
+        "-lm",
+    ]
+    subprocess.run(command, check=True)
+    out = subprocess.run([str(tmp_path / "w")], capture_output=True, text=True, check=True).stdout
+    expected = loaded.weights(0.7, 0.4, 2.5)[0]
+    assert np.abs(np.array(out.split(), dtype=float) - expected).max() < 2e-6 * np.abs(expected).max()
 
 
 def test_a_changed_package_changes_the_light_s_version(package: Path) -> None:
