@@ -90,7 +90,7 @@ class Dialect:
     def vector(self, items: Sequence[str]) -> str:
         """Return a vector of two to four scalars; one stays a scalar.
 
-        >>> WGSL.vector(["a", "b"]), WGSL.vector(["a"])
+        >>> DIALECTS["wgsl"].vector(["a", "b"]), DIALECTS["wgsl"].vector(["a"])
         ('vec2<f32>(a, b)', 'a')
         """
         return items[0] if len(items) == 1 else f"{self.types[f'vec{len(items)}']}({', '.join(items)})"
