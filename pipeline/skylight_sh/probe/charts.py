@@ -12,6 +12,8 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from skylight_sh import sphere
+
 Array = NDArray[np.float64]
 
 # Gauss nodes an edge of an angular map's cell: enough for rounding on cells of any size, and on small ones.
@@ -127,7 +129,7 @@ def _edges(lines: Array, ends: Array) -> Array:
 
     ``lines`` ``(n,)`` holds that coordinate, ``ends`` ``(k + 1,)`` the other one's edges. Returns ``(n, k)``.
     """
-    nodes, weights = np.polynomial.legendre.leggauss(_FINE_NODES if np.diff(ends).max() <= _FINE_EDGE else _COARSE_NODES)
+    nodes, weights = sphere.gauss(_FINE_NODES if np.diff(ends).max() <= _FINE_EDGE else _COARSE_NODES)
     chord = np.sqrt(np.maximum((1.0 - lines) * (1.0 + lines), 0.0))[:, np.newaxis]
     cut = np.clip(ends, -chord, chord)
     half, middle = np.diff(cut, axis=1) / 2, (cut[:, 1:] + cut[:, :-1]) / 2

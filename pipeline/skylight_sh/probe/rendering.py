@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from skylight_sh import sphere
 from skylight_sh.probe.charts import Chart
 from skylight_sh.probe.layouts import Layout, patches
 
@@ -45,7 +46,7 @@ def render(light: Light, parameters: Parameters, layout: Layout, height: int, wi
 
 def _means(chart: Chart, radiance: Callable[[Array], Array], u: Array, v: Array, nodes: int) -> Array:
     """Return the means over the cells between u and v, ``(rows, columns, channels)``."""
-    x, w = np.polynomial.legendre.leggauss(nodes)
+    x, w = sphere.gauss(nodes)
     across = ((u[1:] + u[:-1])[:, np.newaxis] + np.diff(u)[:, np.newaxis] * x) / 2
     total: Array | float = 0.0
     area: Array | float = 0.0

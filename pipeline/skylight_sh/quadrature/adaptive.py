@@ -11,7 +11,6 @@ Neighbours differ by one halving at most, lest an edge pass unseen between the n
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -165,7 +164,7 @@ def _measure(integrand: _Integrand, cells: Cells) -> tuple[Array, Array, Array]:
 def _integrals(integrand: _Integrand, cells: Cells, nodes: int) -> Array:
     """Return the Gauss rule of every cell, ``(cells, channels, count)``."""
     light = integrand.light
-    x, w = _gauss(nodes)
+    x, w = sphere.gauss_unit(nodes)
     halved = 0.5 ** cells[:, :1]
     width, turn = np.pi / 2 / _FIRST[0] * halved, np.pi / _FIRST[1] * halved
     zenith, azimuth = (cells[:, 1:2] + x) * width, (cells[:, 2:] + x) * turn
@@ -236,12 +235,6 @@ def _keys(cells: Cells) -> Cells:
     """One number a cell; places outside the hemisphere get numbers that no cell has."""
     # 28 bits hold a place after 24 halvings, finer than a tolerance in float64 can ask for.
     return (cells[:, 0] << 57) + (cells[:, 1] << 28) + cells[:, 2]
-
-
-@lru_cache(maxsize=8)
-def _gauss(n: int) -> tuple[Array, Array]:
-    x, w = np.polynomial.legendre.leggauss(n)
-    return (1.0 + x) / 2.0, w / 2.0
 
 
 RULE = Rule("adaptive cells", project, None)

@@ -155,9 +155,9 @@ def _azimuths(theta: float, height: Array, beyond: Array, nodes: int, bands: int
     radius = np.sqrt(np.sin(height) * np.sin(theta))
     width = 2.0 * np.abs(np.sin(beyond / 2)) / np.maximum(radius, 1e-9)
     width = np.clip(width, _LEAST_WIDTH, 1e9)[:, np.newaxis]
-    x, w = _gauss(nodes)
+    t, w = sphere.gauss_unit(nodes)
     reach = np.arcsinh(np.pi / width) + evenly * np.pi
-    u = reach * (1.0 + x) / 2.0
+    u = reach * t
     # Newton in s = asinh(phi / k): convex, and both starting values lie beyond the root, so it falls monotonically.
     slope = evenly * width
     s = np.minimum(u, np.arcsinh(u / slope))
@@ -167,7 +167,7 @@ def _azimuths(theta: float, height: Array, beyond: Array, nodes: int, bands: int
         if np.all(np.abs(step) <= 1e-15 * u):
             break
     azimuth = width * np.sinh(s)
-    return azimuth, reach * w / 2.0 / (evenly + 1.0 / np.hypot(azimuth, width))
+    return azimuth, reach * w / (evenly + 1.0 / np.hypot(azimuth, width))
 
 
 @lru_cache(maxsize=256)
@@ -176,15 +176,10 @@ def _graded(n: int, start: int, end: int) -> tuple[Array, Array, Array]:
 
     Powers above 1 crowd the nodes towards 0 (``start``) or 1 (``end``).
     """
-    x, w = _gauss(n)
-    t, rest = (1.0 + x) / 2.0, (1.0 - x) / 2.0
-    weight = w / 2.0 * t ** (start - 1) * rest ** (end - 1) / special.beta(start, end)
+    t, w = sphere.gauss_unit(n)
+    rest = t[::-1].copy()
+    weight = w * t ** (start - 1) * rest ** (end - 1) / special.beta(start, end)
     return special.betainc(start, end, t), special.betainc(end, start, rest), weight
-
-
-@lru_cache(maxsize=64)
-def _gauss(n: int) -> tuple[Array, Array]:
-    return np.polynomial.legendre.leggauss(n)
 
 
 def _floats(nodes: int, harmonics: sphere.Harmonics, channels: int) -> tuple[int, int]:

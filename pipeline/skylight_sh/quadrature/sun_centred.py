@@ -8,8 +8,6 @@ factors of g and waves of psi, so a sum costs N per sample instead of N*N; one r
 
 from __future__ import annotations
 
-from functools import lru_cache
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -93,7 +91,7 @@ def _pieces(theta: Array, nodes: int) -> list[tuple[Array, Array, Array]]:
     psi = np.pi * waves[np.newaxis, np.newaxis]
     weight = (reach * ring_weights * np.sin(g))[..., np.newaxis] * (np.pi * wave_weights)
 
-    x, v = _gauss(nodes)
+    x, v = sphere.gauss(nodes)
     u = np.pi / 2 * x
     h = theta[:, np.newaxis] * np.sin(u)
     with np.errstate(invalid="ignore"):
@@ -105,14 +103,9 @@ def _pieces(theta: Array, nodes: int) -> list[tuple[Array, Array, Array]]:
 
 def _graded(n: int, power: int) -> tuple[Array, Array]:
     """Gauss-Legendre on [0, 1] in ``1 - (1 - t)**power``, dense towards 1."""
-    x, w = _gauss(n)
-    rest = (1.0 - x) / 2.0
-    return 1.0 - rest**power, 0.5 * w * power * rest ** (power - 1)
-
-
-@lru_cache(maxsize=64)
-def _gauss(n: int) -> tuple[Array, Array]:
-    return np.polynomial.legendre.leggauss(n)
+    t, w = sphere.gauss_unit(n)
+    rest = t[::-1].copy()
+    return 1.0 - rest**power, w * power * rest ** (power - 1)
 
 
 def _directions(theta: Array, g: Array, psi: Array) -> Array:

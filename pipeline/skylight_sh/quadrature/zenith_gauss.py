@@ -9,7 +9,7 @@ from skylight_sh.light.protocol import Light, Parameters
 from skylight_sh.quadrature import direction_sums
 from skylight_sh.quadrature.rule import Rule, steps
 from skylight_sh.quadrature.samples import Samples
-from skylight_sh.sphere import Harmonics
+from skylight_sh.sphere import Harmonics, gauss_unit
 
 Array = NDArray[np.float64]
 
@@ -23,10 +23,10 @@ def directions(n: int) -> tuple[Array, Array]:
     >>> where.shape, float((solid_angles.sum() / (2 * np.pi)).round(6))
     ((32, 3), 1.0)
     """
-    x, w = np.polynomial.legendre.leggauss(n)
-    z = np.repeat((x + 1) / 2, 2 * n)
+    height, share = gauss_unit(n)
+    z = np.repeat(height, 2 * n)
     phi = np.tile((np.arange(2 * n) + 0.5) * np.pi / n, n)
-    return direction_sums.towards(z, phi), np.repeat(w / 2, 2 * n) * np.pi / n
+    return direction_sums.towards(z, phi), np.repeat(share, 2 * n) * np.pi / n
 
 
 def project(light: Light, parameters: Parameters, *, nodes: int, harmonics: Harmonics) -> Samples:

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
         packed_irradiance,
         scale_degrees,
     )
+    from skylight_sh.sphere._gauss import gauss, gauss_unit
     from skylight_sh.sphere._general_rotation import change_axes, rotate, rotation_blocks
     from skylight_sh.sphere._ground import add_ground, lower_hemisphere, mirror_ground
     from skylight_sh.sphere._nonnegative import minimum, nonnegative_smoothing
@@ -46,6 +47,8 @@ __all__ = [
     "evaluate",
     "flat_index",
     "gaunt",
+    "gauss",
+    "gauss_unit",
     "hann_window",
     "horizon",
     "irradiance",
@@ -78,6 +81,7 @@ _MODULES = (
     "_general_rotation",
     "_basis",
     "_convolution",
+    "_gauss",
     "_ground",
     "_nonnegative",
     "_product",

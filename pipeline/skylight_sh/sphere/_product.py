@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from skylight_sh.sphere._basis import legendre
+from skylight_sh.sphere._gauss import gauss
 from skylight_sh.sphere._orders import Harmonics, Index, bands_of, check_bands
 
 Array = NDArray[np.float64]
@@ -46,7 +47,7 @@ def gaunt(left_bands: int, right_bands: int, out_bands: int) -> Gaunt:
     most = max(left_bands, right_bands, out_bands)
     every = Harmonics(most)
     # Degrees up to the sum's: the sines of |m| > 0 come in even powers.
-    nodes, areas = np.polynomial.legendre.leggauss((left_bands + right_bands + out_bands - 3) // 2 + 1)
+    nodes, areas = gauss((left_bands + right_bands + out_bands - 3) // 2 + 1)
     factors = legendre(nodes, np.sqrt((1 - nodes) * (1 + nodes)), most)
     values = np.empty(left.size)
     for start in range(0, left.size, _CHUNK):

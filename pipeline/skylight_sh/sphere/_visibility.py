@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from skylight_sh.sphere._basis import basis
+from skylight_sh.sphere._gauss import gauss_unit
 from skylight_sh.sphere._orders import bands_of, check_bands, check_finite
 from skylight_sh.sphere._product import product
 
@@ -38,8 +39,8 @@ def horizon(elevations: ArrayLike, bands: int) -> Array:
             f"elevations[{bad[0]}]: {corners[bad[0]]:g} lies outside [-pi/2, pi/2]. Give radians above the horizon."
         )
     width = 2 * np.pi / corners.size
-    along, along_areas = _gauss(math.ceil(bands * width / 2) + _SPARE)
-    polar, polar_areas = _gauss(2 * bands + _SPARE)
+    along, along_areas = gauss_unit(math.ceil(bands * width / 2) + _SPARE)
+    polar, polar_areas = gauss_unit(2 * bands + _SPARE)
     total = np.zeros(bands * bands)
     for k, (start, end) in enumerate(zip(corners, np.roll(corners, -1), strict=True)):
         phi = ((k + along) * width)[:, np.newaxis]
@@ -75,9 +76,3 @@ def cover(
     out[..., :light] += weights[..., :light]
     out[..., :clouds] += np.asarray(colour, dtype=np.float64)[..., np.newaxis] * opacity[:clouds]
     return out
-
-
-def _gauss(nodes: int) -> tuple[Array, Array]:
-    """Return a Gauss-Legendre rule on [0, 1]."""
-    where, areas = np.polynomial.legendre.leggauss(nodes)
-    return (1 + where) / 2, areas / 2

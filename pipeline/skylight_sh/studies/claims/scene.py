@@ -35,16 +35,16 @@ def direct(config: Config, suns: Sequence[tuple[dict[str, float], float]], bands
     panorama, occluders, an even ground, spheres and spots; raises ValueError for another light, and for clouds of another
     layout.
     """
-    x, areas = np.polynomial.legendre.leggauss(rows // 2)
+    shares, areas = sphere.gauss_unit(rows // 2)
     phi = (np.arange(2 * rows) + 0.5) * np.pi / rows
     ends = np.pi / 2 - _skyline(config.scene.horizon, phi)
     seen = np.zeros((len(suns), len(config.source.channels), bands * bands))
     falling, ground = np.zeros(seen.shape[:2]), np.zeros(bands * bands)
     step = max(1, _BLOCK // rows)
     for start in range(0, phi.size, step):
-        end, around = (np.repeat(a[start : start + step], x.size) for a in (ends, phi))
-        share = np.tile((1 + x) / 2, end.size // x.size)
-        weight = np.tile(areas / 2, end.size // x.size) * np.pi / rows
+        end, around = (np.repeat(a[start : start + step], shares.size) for a in (ends, phi))
+        share = np.tile(shares, end.size // shares.size)
+        weight = np.tile(areas, end.size // shares.size) * np.pi / rows
         polar = end * share
         where, solid = _directions(polar, around), weight * end * np.sin(polar)
         free = ~_occluded(config, where)
@@ -55,7 +55,7 @@ def direct(config: Config, suns: Sequence[tuple[dict[str, float], float]], bands
             light = (1.0 - opacity)[:, np.newaxis] * _sky(config, where, parameters, azimuth) + np.outer(opacity, colour)
             seen[i] += light.T @ basis
             falling[i] += light.T @ (where[:, 2] * solid)
-        below, around = end + (np.pi - end) * share, np.repeat(phi[start : start + step], x.size)
+        below, around = end + (np.pi - end) * share, np.repeat(phi[start : start + step], shares.size)
         where = _directions(below, around)
         free = ~_occluded(config, where)
         ground += (weight * (np.pi - end) * np.sin(below))[free] @ sphere.basis(where[free], bands)
@@ -158,7 +158,7 @@ def _cone(centre: Array, radius: float) -> tuple[Array, Array]:
     ahead = centre / distance
     across = np.cross(ahead, np.eye(3)[np.abs(ahead).argmin()])
     across /= np.linalg.norm(across)
-    x, areas = np.polynomial.legendre.leggauss(_NODES)
+    x, areas = sphere.gauss(_NODES)
     least = np.sqrt(1.0 - (radius / distance) ** 2)
     cosine, areas = (1 + least + (1 - least) * x) / 2, (1 - least) / 2 * areas
     turn = (np.arange(_NODES) + 0.5) * 2 * np.pi / _NODES

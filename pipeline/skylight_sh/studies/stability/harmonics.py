@@ -44,7 +44,7 @@ def section() -> Section:
 
 def _gram(l: int) -> float:
     """Largest departure from orthonormality among all degrees up to ``l`` of equal order."""
-    x, w = np.polynomial.legendre.leggauss(l + 1)
+    x, w = sphere.gauss(l + 1)
     rings = sphere.legendre(x, np.sqrt((1 - x) * (1 + x)), l + 1)
     orders = sphere.Harmonics.even(l + 1).orders
     worst = 0.0
