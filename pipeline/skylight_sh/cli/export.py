@@ -61,12 +61,14 @@ def export(
     from skylight_sh.export import day as days
     from skylight_sh.scene.solar import Place
 
-    if {"sun_zenith", "sun_azimuth"} & set(asked.assignments(given)):
-        raise UserError("The date and the place give the sun's position. Leave --at sun_zenith and sun_azimuth out.")
     loaded = asked.read_table(table, form)
-    here = {"sun_zenith": 0.0, "sun_azimuth": 0.0, "turbidity": turbidity}
-    values = asked.inputs_of(loaded, given, here)
-    others = {name: value for name, value in values.items() if name not in ("sun_zenith", "sun_azimuth")}
+    if loaded.table.spec.peak_axis is None:
+        raise UserError(f"{table} has no sun that moves: its inputs are {', '.join(loaded.inputs)}. Use `evaluate`.")
+    sun = (loaded.table.spec.peak_axis, "sun_azimuth")
+    if set(sun) & set(asked.assignments(given)):
+        raise UserError(f"The date and the place give the sun's position. Leave --at {sun[0]} and sun_azimuth out.")
+    values = asked.inputs_of(loaded, given, {**dict.fromkeys(sun, 0.0), "turbidity": turbidity})
+    others = {name: value for name, value in values.items() if name not in sun}
     factor = 1.0 if exposure is None else exposure
     try:
         place = Place(latitude, longitude)

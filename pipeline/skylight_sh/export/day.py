@@ -73,13 +73,15 @@ def tabulate(table: Runtime, request: Request) -> Day:
         (moment.isoformat(), *solar.position(request.place, moment))
         for moment in solar.moments(request.date, request.timezone, request.step)
     ]
-    fading = table.table.spec.twilight
+    fading, peak = table.table.spec.twilight, table.table.spec.peak_axis
+    if peak is None:
+        raise ValueError(f"This table has no sun that moves. Its inputs are {', '.join(table.inputs)}.")
     night = math.pi / 2 + (fading.depth if fading else 0.0)
     up = [zenith <= night for _, zenith, _ in places]
     kept = [place for place, shines in zip(places, up, strict=True) if shines or request.night == "zero"]
     zeniths, azimuths = [zenith for _, zenith, _ in kept], [azimuth for _, _, azimuth in kept]
     # A night's sun is clamped, and its light then dropped.
-    inputs = {"sun_zenith": np.minimum(zeniths, night), "sun_azimuth": np.array(azimuths), **request.others}
+    inputs = {peak: np.minimum(zeniths, night), "sun_azimuth": np.array(azimuths), **request.others}
     weights, status = table.weights_and_status(bands=bands, window=request.window, **inputs)
     if np.any(status == INVALID):
         raise ValueError(f"Invalid inputs {dict(request.others)}. Should be finite numbers.")

@@ -34,7 +34,7 @@ def rows(material: Material) -> list[tuple[str, str]]:
     if scene["window"]:
         found.append(("the window at run time, folded into the weights", f"{(bands - 1) * channels} products a call"))
     if scene["sun"] is not None:
-        first = next((a for a in material.axes if a.name == "sun_zenith"), material.axes[0])
+        first = next((a for a in material.axes if a.name == table.spec.peak_axis), material.axes[0])
         low, high = np.degrees(first.low), np.degrees(first.high)
         found.append(("suns that do not occur there and then", f"zenith angles {low:.1f} to {high:.1f} of 0 to 90 degrees"))
     for degree, axis, swept in zip(table.degrees, material.axes, material.sweep.degrees.max(axis=0), strict=True):

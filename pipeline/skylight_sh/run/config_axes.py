@@ -1,4 +1,4 @@
-"""A config's axes and nodes as the numerics know them: given, or found by the search for changes of variable."""
+"""A config's axes, nodes and SH weights as the numerics know them: given, or found by the steps before."""
 
 from __future__ import annotations
 
@@ -11,6 +11,8 @@ from skylight_sh.config.schema import Config
 from skylight_sh.fit.axis import Axis
 from skylight_sh.run.plan import Inputs
 from skylight_sh.run.steps import VARIABLES
+from skylight_sh.sphere import Harmonics
+from skylight_sh.store.dataset import Dataset
 
 Array = NDArray[np.float64]
 
@@ -34,6 +36,11 @@ def axes_of(config: Config, inputs: Inputs) -> tuple[Axis, ...]:
     if VARIABLES not in inputs:
         return given_axes(config)
     return tuple(Axis(**axis) for axis in json.loads(str(inputs[VARIABLES].attrs["axes"])))
+
+
+def harmonics_of(config: Config, artifact: Dataset) -> Harmonics:
+    """Return which SH weights a step of the truth, ``artifact``, has sampled, or its rule asks for."""
+    return Harmonics(config.truth.bands, bool(artifact.attrs["mirrored"]))
 
 
 def fit_nodes(config: Config, axes: tuple[Axis, ...]) -> list[Array]:

@@ -29,9 +29,9 @@ def clear_day(theta: ArrayLike, tau: float) -> tuple[Array, Array]:
     zeniths, light = np.asarray(theta, dtype=np.float64), Preetham()
     disc = sun_disc.normal_illuminance(zeniths, np.full(zeniths.shape, tau)) * np.cos(zeniths)
     directions, solid = zenith_gauss.directions(_NODES)
-    falling = directions[:, 2] * solid
+    falling, at = directions[:, 2] * solid, np.array([tau])
     skies = [
-        (light.radiance(directions, {"sun_zenith": zenith, "turbidity": np.array([tau])}) @ light.luminance_row) @ falling
+        (light.radiance(directions, dict(zip(light.domains, (zenith, at), strict=True))) @ light.luminance_row) @ falling
         for zenith in zeniths[:, np.newaxis]
     ]
     return np.array(skies), disc

@@ -7,11 +7,10 @@ import numpy as np
 from skylight_sh.config.schema import Config
 from skylight_sh.fit.axis import Axis
 from skylight_sh.quadrature import parameter_points
-from skylight_sh.run.config_axes import axes_of, fit_nodes
+from skylight_sh.run.config_axes import axes_of, fit_nodes, harmonics_of
 from skylight_sh.run.executors import Advance
 from skylight_sh.run.from_config import scale_of, scene_of
 from skylight_sh.run.plan import Inputs
-from skylight_sh.run.stages.truth import harmonics_of
 from skylight_sh.run.steps import GRID
 from skylight_sh.scene.fold import fold
 from skylight_sh.store.dataset import Dataset, Variable

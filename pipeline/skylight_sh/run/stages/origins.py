@@ -11,11 +11,10 @@ from skylight_sh.config.schema import Config
 from skylight_sh.fit import least_squares, paper_scheme
 from skylight_sh.fit.errors import mean_luminance
 from skylight_sh.quadrature import parameter_points
-from skylight_sh.run.config_axes import axes_of, fit_nodes
+from skylight_sh.run.config_axes import axes_of, fit_nodes, harmonics_of
 from skylight_sh.run.executors import Advance, map_tasks
 from skylight_sh.run.from_config import reference_of
 from skylight_sh.run.plan import Inputs
-from skylight_sh.run.stages.truth import harmonics_of
 from skylight_sh.run.steps import GRID, selected_on
 from skylight_sh.store.dataset import Dataset, Variable
 

@@ -13,13 +13,12 @@ from skylight_sh.quadrature import sampling
 from skylight_sh.report import errors_csv, page, style
 from skylight_sh.report.figures import PICTURES
 from skylight_sh.report.report_data import Entry, Material, Sweep
-from skylight_sh.run.config_axes import axes_of
+from skylight_sh.run.config_axes import axes_of, harmonics_of
 from skylight_sh.run.executors import Advance
 from skylight_sh.run.files import to_dataset
 from skylight_sh.run.from_config import read_table, scene_of, surroundings_of
 from skylight_sh.run.plan import Inputs
 from skylight_sh.run.provenance import settings
-from skylight_sh.run.stages.truth import harmonics_of
 from skylight_sh.run.steps import ORIGINS, RULE, VERIFICATION
 from skylight_sh.scene.fold import fold
 from skylight_sh.store.dataset import Dataset

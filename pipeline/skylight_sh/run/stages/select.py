@@ -10,7 +10,7 @@ import numpy as np
 from skylight_sh.config.schema import Config
 from skylight_sh.config.wanted import wanted
 from skylight_sh.quadrature import parameter_points
-from skylight_sh.run.config_axes import axes_of, fit_nodes
+from skylight_sh.run.config_axes import axes_of, fit_nodes, harmonics_of
 from skylight_sh.run.executors import Advance, map_tasks
 from skylight_sh.run.from_config import (
     degree_ranges,
@@ -22,7 +22,6 @@ from skylight_sh.run.from_config import (
     surroundings_of,
 )
 from skylight_sh.run.plan import Inputs
-from skylight_sh.run.stages.truth import harmonics_of
 from skylight_sh.run.steps import GRID, VERIFICATION, selected_on
 from skylight_sh.scene.fold import window
 from skylight_sh.store.dataset import Dataset, Variable

@@ -12,7 +12,7 @@ from skylight_sh.fit.axis import Axis
 from skylight_sh.quadrature import convergence, parameter_points, sampling, validation
 from skylight_sh.quadrature.registry import suited
 from skylight_sh.quadrature.samples import Samples
-from skylight_sh.run.config_axes import axes_of, fit_nodes, given_axes, verification_nodes
+from skylight_sh.run.config_axes import axes_of, fit_nodes, given_axes, harmonics_of, verification_nodes
 from skylight_sh.run.executors import Advance, map_tasks
 from skylight_sh.run.plan import Inputs
 from skylight_sh.run.steps import RULE
@@ -36,11 +36,6 @@ def make_rule(config: Config, _: Inputs, __: Advance) -> Dataset:
     rule = suited(light, truth.bands) if truth.rule == "auto" else truth.rule
     nodes, estimate = convergence.choose_nodes(light, ranges, rule=rule, harmonics=harmonics, tolerance=truth.tolerance)
     return Dataset({}, {"rule": rule, "nodes": nodes, "estimate": estimate, "mirrored": harmonics.mirrored})
-
-
-def harmonics_of(config: Config, artifact: Dataset) -> Harmonics:
-    """Return which SH weights a step of the truth, ``artifact``, has sampled, or its rule asks for."""
-    return Harmonics(config.truth.bands, bool(artifact.attrs["mirrored"]))
 
 
 def make_grid(config: Config, inputs: Inputs, advance: Advance) -> Dataset:

@@ -24,7 +24,7 @@ from skylight_sh.studies.claims import gradient, scene
 
 Array = NDArray[np.float64]
 
-_NAMES = ("sun_zenith", "turbidity")
+_NAMES = tuple(Preetham().domains)
 _NODES = 96
 _TURBIDITY = 2.5
 _HEIGHTS = (0, 5, 15, 30, 50, 70, 90)

@@ -16,7 +16,8 @@ from skylight_sh.table.row_layout import stored
 from skylight_sh.table.table import fast, small, specification
 from skylight_sh.table.twilight import TWILIGHT
 
-_ZENITH = Axis("sun_zenith", 0.0, np.pi / 2, "rad", map="reciprocal", point=5.0)
+_SKY = Preetham().hints
+_ZENITH = Axis(str(_SKY.peak_axis), 0.0, np.pi / 2, "rad", map="reciprocal", point=5.0)
 _TURBIDITY = Axis("turbidity", 2.5, 6.0, map="log", point=0.5)
 # Its end is the root's singular point, beyond which the range's end rounds in float32.
 _HOUR = Axis("hour", -0.1, 1.7, map="cbrt", point=1.7)
@@ -27,12 +28,11 @@ _RGB = ("red", "green", "blue")
 def flavours() -> dict[str, Table]:
     """Return the tables by name; the same ones every time."""
     rng = np.random.default_rng(2008)
-    sky = Preetham(model="preetham").hints.prefactor
     two, three = (_ZENITH, _TURBIDITY), (_ZENITH, _TURBIDITY, _ALBEDO)
     specified = tuple(axis.specified for axis in two)
-    closed = closed_form(sky, specified) if sky else None
+    closed = closed_form(_SKY.prefactor, specified) if _SKY.prefactor else None
     found = reciprocal(np.array([[2.0, 0.3], [0.4, 0.1], [0.1, 0.0]], dtype=np.float32), specified)
-    sinking: dict[str, Any] = {"peak_axis": "sun_zenith", "twilight": TWILIGHT}
+    sinking: dict[str, Any] = {"peak_axis": _SKY.peak_axis, "twilight": TWILIGHT}
     return {
         "rows": _rows(rng, specification(two, _RGB, True, "chebyshev", closed), (9, 5), 7, "float32"),
         "packed": _packed(rng, specification(two, _RGB, True, "chebyshev", closed), (9, 5), 7),
