@@ -32,8 +32,8 @@ def flavours() -> dict[str, Table]:
     specified = tuple(axis.specified for axis in two)
     closed = closed_form(_SKY.prefactor, specified) if _SKY.prefactor else None
     found = reciprocal(np.array([[2.0, 0.3], [0.4, 0.1], [0.1, 0.0]], dtype=np.float32), specified)
-    sinking: dict[str, Any] = {"peak_axis": _SKY.peak_axis, "twilight": TWILIGHT}
-    return {
+    sinking: dict[str, Any] = {"twilight": TWILIGHT}
+    made = {
         "rows": _rows(rng, specification(two, _RGB, True, "chebyshev", closed), (9, 5), 7, "float32"),
         "packed": _packed(rng, specification(two, _RGB, True, "chebyshev", closed), (9, 5), 7),
         "float64": _rows(rng, specification(two, _RGB, True, "chebyshev", found), (6, 4), 4, "float64"),
@@ -48,6 +48,11 @@ def flavours() -> dict[str, Table]:
         ),
         "unmirrored-packed": _packed(rng, specification((_TURBIDITY,), _RGB, False, "fourier", None), (4,), 3),
     }
+    return {name: _with_sun(table) if table.spec.axes[0].name == _ZENITH.name else table for name, table in made.items()}
+
+
+def _with_sun(table: Table) -> Table:
+    return replace(table, spec=replace(table.spec, peak_axis=_ZENITH.name))
 
 
 def _around(rng: np.random.Generator) -> Surroundings:
