@@ -7,11 +7,13 @@ import doctest
 import json
 import re
 from dataclasses import fields
+from functools import cache
 from pathlib import Path
 
 import pytest
 from conftest import ROOT
 from skylight_sh import runtime
+from skylight_sh.cli import COMMANDS
 from skylight_sh.config import load
 from skylight_sh.export import vectors
 from skylight_sh.run.runner import Result
@@ -96,6 +98,35 @@ def _found(parts: list[str]) -> bool:
             rest = parts[length:]
             return not rest or re.search(rf"\b{rest[0]}\b", file.read_text(encoding="utf-8")) is not None
     return False
+
+
+@cache
+def words() -> set[str]:
+    """Every word of the package, the configs, the tests, the Makefile and the released files' names."""
+    folders = (PACKAGE, ROOT / "configs", ROOT / "tests", ROOT / ".ci")
+    files = [file for folder in folders for file in folder.rglob("*") if file.is_file()]
+    files += [ROOT / "Makefile", ROOT / "pyproject.toml", ROOT / "reports" / "reference" / "export" / "skylight_sh.h"]
+    kinds = (".py", ".j2", ".h", ".c", ".toml", ".md", "")
+    found = {word for f in files if f.suffix in kinds for word in re.findall(r"[\w-]+", f.read_text(encoding="utf-8"))}
+    return found | {word.rpartition("-")[2] for word in found}
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+def test_no_name_is_removed(page: Path) -> None:
+    """A single word in code marks stands in the sources too, but for what a page itself defines."""
+    own = set(re.findall(r"[\w-]+", "".join(re.findall(r"^```.*?^```", text(page), re.DOTALL | re.MULTILINE))))
+    placeholders = re.compile(r"[Pp]_\w+|<\w+>")
+    for name in set(re.findall(r"`([A-Za-z_][\w-]{2,})`", prose(page))):
+        assert name in words() | own or placeholders.match(name), f"{page.name} names {name}"
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+def test_commands_and_targets_that_are_named_exist(page: Path) -> None:
+    makefile = (ROOT / "Makefile").read_text(encoding="utf-8")
+    for target in set(re.findall(r"`make (\w+)", text(page))):
+        assert re.search(rf"^{target}:", makefile, re.MULTILINE), f"{page.name}: make {target}"
+    for command in set(re.findall(r"(?:`|^)skylight-sh ([a-z]\w+)", text(page), re.MULTILINE)):
+        assert command in COMMANDS, f"{page.name}: skylight-sh {command}"
 
 
 @pytest.mark.parametrize("page", DOCS, ids=lambda page: page.name)
