@@ -140,10 +140,10 @@ def test_a_wrong_header_fails_its_self_test(tmp_path: Path) -> None:
     write(TABLES["one-axis"], tmp_path)
     header = (tmp_path / "skylight_sh.h").read_text(encoding="utf-8")
     faults = {
-        "a last bit of status": header.replace("(v > last)", "(v >= last)"),
+        "a last bit of status": header.replace("(v > skylight_sh_inside", "(v >= skylight_sh_inside"),
         "a weight off by 1e-5": header.replace(
-            "wave_sin, weights);\n    return status;\n",
-            "wave_sin, weights);\n    weights[0][1] *= 1.00001f;\n    return status;\n",
+            "sines, weights);\n    return status;\n",
+            "sines, weights);\n    weights[0][1] *= 1.00001f;\n    return status;\n",
         ),
         "NaN by comparison": header.replace("(bits >= 0x7f800000u) + (bits > 0x7f800000u)", "v != v ? 2 : 0"),
     }

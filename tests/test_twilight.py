@@ -70,7 +70,7 @@ def test_a_table_fades_its_horizon(tmp_path: Path) -> None:
     assert not night.any()
     header = (result.folder / "export" / "skylight_sh.h").read_text(encoding="utf-8")
     assert "SUN_ZENITH_MAX 1.780" in header
-    assert "_gradient(" not in header
+    assert "_weights_gradient(" in header
 
 
 def test_lamps_shine_at_night() -> None:

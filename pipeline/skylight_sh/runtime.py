@@ -82,6 +82,14 @@ def flat_places(bands: int, *, mirrored: bool) -> Index:
     return np.array([l * (l + 1) + m for l in range(bands) for m in range(0 if mirrored else -l, l + 1)])
 
 
+def turned(weight: Any, partner: Any, cosine: Any, sine: Any) -> Any:
+    """Return a weight of order m, turned: ``partner`` is that of order -m, cosine and sine are of m times the azimuth.
+
+    Equation 4 of Habel et al. 2008, for generic numbers.
+    """
+    return weight * cosine - partner * sine
+
+
 def rotate_azimuth(weights: Floats, azimuth: Floats) -> Floats:
     """Turn weights ``(..., N*N)`` by ``azimuth`` ``(...)`` radians about +z, +x towards +y (Habel et al. 2008, eq. 4).
 
@@ -94,7 +102,7 @@ def rotate_azimuth(weights: Floats, azimuth: Floats) -> Floats:
     angle = np.abs(orders) * np.asarray(azimuth, dtype=np.float64)[..., np.newaxis]
     cosine = np.cos(angle).astype(weights.dtype)
     sine = (np.sign(orders) * np.sin(angle)).astype(weights.dtype)
-    return np.asarray(weights * cosine - weights[..., partner] * sine)
+    return np.asarray(turned(weights, weights[..., partner], cosine, sine))
 
 
 def zonal_sinc(bands: int) -> Array:

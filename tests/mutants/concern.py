@@ -70,7 +70,7 @@ class Record:
 
     def concerned(self, mutant: Mutant, read: Callable[[str], str]) -> list[str]:
         """Return the tests that concern a mutant: those that run its lines or use its names, then others of its file."""
-        if mutant.path.endswith(".j2"):
+        if not mutant.path.endswith(".py"):
             return self._by_cost(self.templates.get(Path(mutant.path).name, set()))
         lines = self.lines.get(mutant.path, {})
         first, last = mutant.lines

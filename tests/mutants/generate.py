@@ -11,21 +11,22 @@ from pathlib import Path
 
 from . import text
 
-# The numeric folders and modules, and the templates.
+# The numeric folders and modules, the templates, and the evaluators of other languages.
 SOURCES = (
     *(
         f"pipeline/skylight_sh/{folder}/**/*.py"
-        for folder in ("light", "sphere", "quadrature", "fit", "table", "probe", "scene", "export")
+        for folder in ("formula", "light", "sphere", "quadrature", "fit", "table", "probe", "scene", "export")
     ),
     "pipeline/skylight_sh/runtime.py",
     *(f"pipeline/skylight_sh/run/{name}.py" for name in ("config_axes", "from_config")),
     *(f"pipeline/skylight_sh/run/stages/{name}.py" for name in ("fit", "select", "origins", "truth")),
     *(f"pipeline/skylight_sh/report/{name}.py" for name in ("errors_csv", "ringing", "panorama")),
     "pipeline/skylight_sh/export/templates/*.j2",
+    "pipeline/skylight_sh/export/evaluators/*/*",
 )
 # A generator of random inputs: another number there is another test, and no other result.
 _NO_NUMERICS = ("fuzz.c.j2",)
-_C_IN_PYTHON = re.compile(r".*/(fit/(maps|bases)|light/\w+|export/(c_header|c_rows|shaders|shader_dialects))\.py")
+_C_IN_PYTHON = re.compile(r".*/(export/(c_data|c_formulas|c_header|shaders|shader_dialects))\.py")
 # Widths and counts of digits of what is printed, for people.
 _FORMATTING = {
     "about",
@@ -111,7 +112,7 @@ def draw(found: Sequence[Mutant], count: int, seed: int) -> list[Mutant]:
 
 def of_file(path: str, source: bytes) -> list[Mutant]:
     """Return the mutants of one file's contents."""
-    found = _of_template(path, source) if path.endswith(".j2") else _Python(path, source).mutants()
+    found = _Python(path, source).mutants() if path.endswith(".py") else _of_template(path, source)
     return sorted(found, key=lambda one: (one.start, one.new))
 
 

@@ -14,6 +14,7 @@ from pathlib import Path
 import coverage
 import jinja2
 import pytest
+from skylight_sh.export import evaluators
 
 
 class Recorder:
@@ -43,6 +44,14 @@ class Recorder:
             self.templates.setdefault(str(template.name), set()).add(self.context)
             return render(template, *parts, **named)
 
+        part = evaluators.part
+
+        def read(path: str, *rest: object) -> str:
+            self.templates.setdefault(Path(path).name, set()).add(self.context)
+            return part(path, *rest)
+
+        # Before the modules that call it import it.
+        evaluators.part = read
         jinja2.Environment._load_template = loaded
         jinja2.Template.render = rendered
 

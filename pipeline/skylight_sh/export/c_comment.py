@@ -12,7 +12,7 @@ from skylight_sh.sphere import clamped_cosine
 from skylight_sh.table import twilight
 from skylight_sh.table.surroundings import gain
 
-_WIDTH = 117
+_WIDTH = 95
 
 
 def about(table: Table) -> tuple[str, list[str]]:

@@ -1,33 +1,28 @@
-"""Tables as C: one header, C99 and C++11, that evaluates, turns by azimuth and windows."""
+"""Tables as C: one header, C99 and C++11, that evaluates, turns by azimuth and windows.
+
+The evaluator stands in ``evaluators/c`` and is copied; what differs between tables is data (``c_data``), formulas printed
+from their programs (``c_formulas``), and functions of the inputs' names that call the evaluator with arrays.
+"""
 
 from __future__ import annotations
 
+import hashlib
 import re
-from collections.abc import Sequence
+import textwrap
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-import numpy as np
-from jinja2 import Environment, PackageLoader, StrictUndefined, Template, select_autoescape
-
 from skylight_sh import __version__
-from skylight_sh.export import c_comment, c_rows
-from skylight_sh.export.c_rows import Number
-from skylight_sh.formula import printers
-from skylight_sh.formula.bases import BASES
-from skylight_sh.formula.printers import C_DOUBLE, C_SINGLE, Language
-from skylight_sh.runtime import Packed, Program, Rows, Table
-from skylight_sh.sphere import lower_hemisphere
-from skylight_sh.table import twilight
-from skylight_sh.table.prefactor import CLOSED_FORM
+from skylight_sh.export import c_comment, c_data, c_formulas, evaluators
+from skylight_sh.export.evaluators import part, renamed, wrapped
+from skylight_sh.runtime import Rows, Table
 from skylight_sh.table.size import bytes_of
-from skylight_sh.table.surroundings import PARTS
-from skylight_sh.table.table import float32_limits
 
-PREFIX = re.compile(r"[a-z][a-z0-9_]{0,31}")
-
-
+PREFIX = re.compile(r"[a-z][a-z0-9_]{0,62}")
 # What errors are fractions of, by the convention's name.
 _L_MIN = {"per-set": "least luminance of the same sky", "mean": "mean luminance of the same sky"}
+_P, _p = "SKYLIGHT_SH", "skylight_sh"
+_WEIGHTS = f"[{_P}_CHANNELS][{_P}_WEIGHTS]"
 
 
 @dataclass(frozen=True)
@@ -47,187 +42,168 @@ class Facts:
     luminance: Sequence[float] = ()
 
 
-def write(table: Table, facts: Facts, prefix: str = "skylight_sh") -> str:
+def check_prefix(prefix: str) -> None:
+    """Raise ValueError for a prefix that is no C identifier of lower-case letters, digits and underscores."""
+    if not PREFIX.fullmatch(prefix):
+        raise ValueError(f"Invalid prefix {prefix!r}. Should be a lower-case C identifier of at most 63 characters.")
+
+
+def write(table: Table, facts: Facts, prefix: str = evaluators.PREFIX) -> str:
     """Return the text of the header of ``table``; every symbol starts with ``prefix``.
 
     Raises ValueError for a prefix that is no C identifier of lower-case letters, digits and underscores.
     """
-    if not PREFIX.fullmatch(prefix):
-        raise ValueError(f"Invalid prefix {prefix!r}. Should be a lower-case C identifier of at most 32 characters.")
-    double = table.dtype == np.float64
-    number, suffix = (_double, "") if double else (_single, "f")
+    check_prefix(prefix)
+    unit, _ = c_comment.about(table)
+    has = c_data.features(table)
+    declared = [*c_data.facts(table, unit, facts.e_mean, facts.e_max), "", *_declarations(table)]
+    defined = [*c_data.data(table, facts.luminance), "", *c_formulas.functions(table), *c_formulas.slopes(table)]
+    evaluator = [part(f"c/{name}.h", has) for name in _parts(table)]
+    body = [*defined, *evaluator, *_wrappers(table), part("c/extras.h", has)]
+    # Tells tables under one prefix apart.
+    sign = hashlib.sha256("\n".join([*declared, *body]).encode()).hexdigest()[:8]
+    lines = [
+        part("c/requirements.h", has),
+        f"#ifndef {_P}_H",
+        f"#define {_P}_H 0x{sign}",
+        "",
+        part("c/linkage.h", has),
+        *declared,
+        "",
+        f"#elif {_P}_H != 0x{sign}",
+        f'#error "Another table has the prefix {_p}_ already: export one of them under a prefix of its own."',
+        f"#endif /* {_P}_H */",
+        "",
+        f"#if (!defined({_P}_EXTERN) || defined({_P}_IMPLEMENTATION)) && !defined({_P}_DEFINED)",
+        f"#define {_P}_DEFINED",
+        "",
+        *body,
+        f"#endif /* {_P}_DEFINED */",
+    ]
+    text = re.sub(r"\n{3,}", "\n\n", "\n".join(lines)).replace(f"prefix {_p}_ already", f"prefix {prefix} already")
+    return wrapped("\n".join(_comment(table, facts, prefix)) + "\n" + renamed(text, prefix))
+
+
+def _parts(table: Table) -> list[str]:
+    return ["inputs", "turn", "rows" if isinstance(table.body, Rows) else "packed", "evaluate", "gradient"]
+
+
+def _inputs(table: Table) -> list[str]:
+    """Return the names of the inputs in order: the first axis, the azimuth unless the table fixes it, the other axes."""
     names = [axis.name for axis in table.axes]
-    azimuth = [] if table.spec.azimuth is not None else ["sun_azimuth"]
-    inputs = [names[0], *azimuth, *names[1:]]
-    middle = {axis.name: _single(float(f"{(axis.low + axis.high) / 2:.3g}")) for axis in table.axes}
-    unit, notes = c_comment.about(table)
-    turned = None if table.spec.azimuth is None else _single(table.spec.azimuth)
-    fast = isinstance(table.body, Rows)
-    return template("skylight_sh.h.j2").render(
-        p=prefix,
-        P=prefix.upper(),
-        version=__version__,
-        title=c_comment.safe(facts.title),
-        example=", ".join(middle.get(name, "0.0f") for name in inputs),
-        inputs=c_comment.input_lines(table) + [f"{name}: any finite angle, rad" for name in azimuth],
-        channels=table.channels,
-        unit=unit,
-        notes=notes,
-        twilight=_twilight(table, number),
-        around=_around(table, number),
-        fixed_azimuth=table.spec.azimuth is not None,
-        windowed=table.spec.windowed,
-        ground_added=_lower(table),
-        e_mean=facts.e_mean,
-        e_max=facts.e_max,
-        l_min=_L_MIN.get(facts.l_min, c_comment.safe(facts.l_min)),
-        least=facts.least,
-        bytes=bytes_of(table),
-        about_layout="laid out for speed" if fast else "packed into few bytes (a fast table takes more and less time)",
-        provenance=[c_comment.safe(line) for line in facts.provenance],
-        bands=table.bands,
-        real="double" if double else "float",
-        fn={"cos": f"cos{suffix}", "sin": f"sin{suffix}"},
-        body="rows_body.j2" if fast else "packed_body.j2",
-        fast=fast,
-        rows=c_rows.parts(table, prefix, number) if fast else None,
-        packed=_packed(table.body, number) if isinstance(table.body, Packed) else None,
-        axes=_axes(table, number),
-        xs=", ".join(f"x[{i}]" for i in range(len(names))),
-        rest=_rest(table),
-        mirrored=table.spec.mirrored,
-        # Derivatives of other bases are not written, nor those of twilight.
-        gradient=table.spec.basis == "chebyshev" and not table.spec.twilight,
-        factor=_factor(table),
-        luminance=[_single(v) for v in facts.luminance or [1.0] * len(table.channels)],
-        azimuth=f"({prefix}_real){turned or 'sun_azimuth'}",
-        azimuth_element=f"({prefix}_real){turned or 'sun_azimuth[s]'}",
-        parameters=", ".join(f"float {name}" for name in inputs),
-        arguments=", ".join(inputs),
-        arrays=", ".join(f"const float *{name}" for name in inputs),
-        elements=", ".join(f"{name}[s]" for name in inputs),
-    )
+    return [names[0], *([] if table.spec.azimuth is not None else ["sun_azimuth"]), *names[1:]]
 
 
-def _twilight(table: Table, number: Number) -> dict[str, str] | None:
-    """Return the numbers of the fade; the horizon in two parts, since float32 pi / 2 exceeds pi / 2."""
-    if not table.spec.twilight:
-        return None
+def _signatures(table: Table) -> dict[str, tuple[str, str]]:
+    """Return of each public function of the inputs its parameters, and what it returns."""
+    inputs, axes = _inputs(table), [axis.name for axis in table.axes]
+    fixed = table.spec.azimuth is not None
+    numbers = ", ".join(f"float {name}" for name in inputs)
+    arrays = ", ".join(f"const float *{name}" for name in inputs)
+    azimuth = f"{_P}_AZIMUTH" if fixed else "sun_azimuth"
+    one, many = f"{{ {', '.join(axes)} }}", "NULL" if fixed else "sun_azimuth"
+    # Of a name that no axis has.
+    given = f"{_p}_given"
+    single = f"    const float {given}[{_P}_AXES] = {one};\n"
+    batch = f"    const float *const {given}[{_P}_AXES] = {one};\n"
     return {
-        "begin": number(twilight.BEGIN),
-        "rest": number(0.0 if table.dtype == np.float64 else twilight.REST),
-        "each": number(1.0 / twilight.DEPTH),
-        "body": _body(table.spec.twilight.program, C_DOUBLE if table.dtype == np.float64 else C_SINGLE, ["x"]),
-        "axis": str(table.spec.peak_axis),
+        "weights": (
+            f"{numbers}, float weights{_WEIGHTS}",
+            f"{single}    return {_p}_evaluate({given}, {azimuth}, {_P}_BANDS, weights);",
+        ),
+        "weights_bands": (
+            f"{numbers}, int bands, float weights{_WEIGHTS}",
+            f"{single}    return {_p}_evaluate({given}, {azimuth}, bands, weights);",
+        ),
+        "weights_batch": (
+            f"int count, {arrays}, float (*weights){_WEIGHTS}",
+            f"{batch}    return {_p}_evaluate_batch(count, {given}, {many}, weights);",
+        ),
+        "weights_gradient": (
+            f"{numbers}, float weights{_WEIGHTS}, float gradient[{_P}_AXES]{_WEIGHTS}",
+            f"{single}    return {_p}_evaluate_gradient({given}, {azimuth}, weights, gradient);",
+        ),
     }
 
 
-def _around(table: Table, number: Number) -> dict[str, list[str]] | None:
-    """Return the constants of the surroundings, row after row."""
-    found = table.surroundings
-    if not found:
-        return None
-    return {name: [number(v) for v in getattr(found, name).ravel().tolist()] for name in PARTS}
-
-
-def _lower(table: Table) -> list[str]:
-    """Return the zonal weights of an even ground, where one can be added to the table's weights at run time."""
-    around = table.surroundings
-    if table.bands < 2 or table.spec.ground != "black" or table.spec.windowed or table.spec.quantity != "radiance" or around:
-        return []
-    return [_single(value) for value in lower_hemisphere(table.bands).tolist()]
-
-
-def template(name: str) -> Template:
-    """Return a template of C text."""
-    return _TEMPLATES.get_template(name)
-
-
-def _axes(table: Table, number: Number) -> list[dict[str, object]]:
-    found: list[dict[str, object]] = []
-    language = C_DOUBLE if table.dtype == np.float64 else C_SINGLE
-    limits = zip(table.ranges, float32_limits(table), strict=True)
-    for axis, degree, ((least, most), (first, last)) in zip(table.axes, table.degrees, limits, strict=True):
-        program = BASES[table.spec.basis].program(degree, shallow=True)
-        targets = [f"t[{k}]" for k in range(degree + 1)]
-        found.append(
-            {
-                "name": axis.name,
-                "map": axis.map,
-                "terms": degree + 1,
-                # Loops over terms run in fours.
-                "room": -(-(degree + 1) // 4) * 4,
-                "body": _body(axis.variable, language, ["v"]),
-                "wide_body": _body(axis.variable, C_DOUBLE, ["v"]),
-                "fill": "\n".join(printers.assignments(program, language, ["u"], targets)),
-                "low": number(axis.low),
-                "high": number(axis.high),
-                "least": number(least),
-                "most": number(most),
-                "wide_low": _double(axis.low),
-                "wide_high": _double(axis.high),
-                "first": _single(first),
-                "last": _single(last),
-            }
-        )
-    return found
-
-
-def _packed(body: Packed, number: Number) -> dict[str, object]:
-    return {
-        "stream": list(body.stream),
-        "rest": body.rest_profile.tolist(),
-        "channel": body.channel_profile.tolist(),
-        "step": number(body.step),
+def _declarations(table: Table) -> Iterator[str]:
+    has = c_data.features(table)
+    axes = ", ".join(axis.name for axis in table.axes)
+    suns = f"{table.axes[0].name}{'' if table.spec.azimuth is not None else ' and azimuth'} alone"
+    told = {
+        "weights": "Evaluates all bands.",
+        "weights_bands": f"Evaluates the first `bands` bands (1 to {_P}_BANDS, clamped likewise) and zeroes the rest.",
+        "weights_batch": "Evaluates `count` suns from arrays; returns the largest status. "
+        + (f"Suns in a row that differ in {suns} cost less." if "HAS_ROWS" in has else "No faster than single calls."),
+        "weights_gradient": f"Evaluates all bands and their derivatives after each axis ({axes}), per unit of the axis; "
+        "beyond a range, those at its edge.",
     }
+    for name, (parameters, _) in _signatures(table).items():
+        yield from evaluators.commented(told[name])
+        yield f"{_P}_API int {_p}_{name}({parameters});"
+    if "HAS_DIRECTION" in has:
+        yield "/* Unit vector of the dominant light. Returns 0, or 1 (and straight up) where there is none. */"
+        yield f"#define {_p}_dominant(weights, direction) \\"
+        yield f"    {_p}_dominant_of(&(weights)[0][0], direction)"
+        yield f"{_P}_API int {_p}_dominant_of(const float *weights, float direction[3]);"
+    if "TAKES_GROUND" in has:
+        yield "/* Optional: adds an even ground of this albedo below the horizon, lit by the sky (before any window). */"
+        yield f"{_P}_API void {_p}_ground(const float albedo[{_P}_CHANNELS], float weights{_WEIGHTS});"
+    if "IS_WINDOWED" not in has:
+        yield "/* Optional: tames the ringing of the horizon by the zonal window of the first `bands` bands. */"
+        yield f"{_P}_API void {_p}_window(int bands, float weights{_WEIGHTS});"
 
 
-def _factor(table: Table) -> dict[str, str]:
-    """Return what the template needs of the table's factor; the fit divided by the same."""
-    scale = table.spec.scale
-    if not scale:
-        return {"kind": "none", "about": "nothing"}
-    closed = scale.kind == CLOSED_FORM
-    inputs = [f"x{a}" for a in range(len(table.axes))]
-    return {
-        "kind": scale.kind,
-        "about": f"the closed form {scale.name}" if closed else "1 over a polynomial in the same variables",
-        "body": _body(scale.program, C_DOUBLE if table.dtype == np.float64 else C_SINGLE, inputs),
-        "wide_body": _body(scale.program, C_DOUBLE, inputs),
-    }
+def _wrappers(table: Table) -> Iterator[str]:
+    for name, (parameters, body) in _signatures(table).items():
+        yield f"{_P}_API int {_p}_{name}({parameters})\n{{\n{body}\n}}\n"
 
 
-def _body(program: Program, language: Language, inputs: Sequence[str]) -> str:
-    """Return the statements of a function of one result."""
-    lines, results = printers.statements(program, language, inputs)
-    read = {int(step[1]) for step in program.steps if step[0] == "input"}
-    # Compilers warn of what a factor of fewer axes leaves aside.
-    aside = [f"(void){name};" for place, name in enumerate(inputs) if place not in read]
-    return "\n".join([*aside, *lines, f"return {results[0]};"])
+def _comment(table: Table, facts: Facts, prefix: str) -> Iterator[str]:
+    p, upper, fast = prefix, prefix.upper(), isinstance(table.body, Rows)
+    _, notes = c_comment.about(table)
+    middle = {axis.name: c_data.single(float(f"{(axis.low + axis.high) / 2:.3g}")) for axis in table.axes}
+    example = ", ".join(middle.get(name, "0.0f") for name in _inputs(table))
+    yield f"/* {c_comment.safe(facts.title)}: spherical-harmonics weights, evaluated from polynomials."
+    told = [
+        "",
+        f"Written by skylight-sh {__version__}; the table and this code may be used by anyone for anything (CC0-1.0).",
+        "C99 and C++11, no allocation, no global written, nothing static but constants: any thread may call it.",
+        "",
+        "Usage",
+        f"  float w[{upper}_CHANNELS][{upper}_WEIGHTS];",
+        f"  int status = {p}_weights({example}, w);",
+        "Compile with, for instance",
+        "  cc -std=c99 -O3 program.c -o program -lm",
+        "Included plainly, the file is all there is: its functions are static, and the table stands in every unit that "
+        f"includes it. With {upper}_EXTERN defined before it, it declares only; the one unit that also defines "
+        f"{upper}_IMPLEMENTATION holds functions and table, for C and C++.",
+        "",
+        "Inputs",
+        *(f"  {line}" for line in c_comment.input_lines(table)),
+        *([] if table.spec.azimuth is not None else ["  sun_azimuth: any finite angle, rad"]),
+        "Output",
+        *(f"  {line}" for line in notes),
+        f"  Define {upper}_EXPOSURE before this file (where it holds the table) to multiply all weights (1 by default).",
+        "",
+        f"Accuracy, as shipped: E_mean {100 * facts.e_mean:.3g} %, E_max {100 * facts.e_max:.3g} % of the "
+        f"{_L_MIN.get(facts.l_min, c_comment.safe(facts.l_min))}, at azimuth 0.",
+        *_ringing(table, facts),
+        f"Memory: {bytes_of(table)} bytes of constants, "
+        f"{'laid out for speed' if fast else 'packed into few bytes (a fast table takes more and less time)'}.",
+        "",
+        "Provenance",
+        *(f"  {c_comment.safe(line)}" for line in facts.provenance),
+    ]
+    for line in told:
+        indent = " " * (len(line) - len(line.lstrip()))
+        found = textwrap.wrap(line, evaluators.COLUMNS - 3, subsequent_indent=indent, break_on_hyphens=False)
+        yield from (f" * {one}" for one in found or [""])
+    yield " */"
 
 
-def _rest(table: Table) -> int:
-    """Return the number of products of the other axes' powers."""
-    return int(np.prod([d + 1 for d in table.degrees[1:]], dtype=int))
-
-
-def _single(value: float) -> str:
-    return _pointed(f"{float(np.float32(value)):.9g}") + "f"
-
-
-def _double(value: float) -> str:
-    return _pointed(f"{value:.17g}")
-
-
-def _pointed(text: str) -> str:
-    """Add the point without which a C number is no floating one."""
-    return text if any(c in text for c in ".en") else text + ".0"
-
-
-_TEMPLATES = Environment(
-    loader=PackageLoader("skylight_sh.export"),
-    undefined=StrictUndefined,
-    keep_trailing_newline=True,
-    # C is no markup; ``_comment`` keeps text inside its comment.
-    autoescape=select_autoescape(default=False),
-)
+def _ringing(table: Table, facts: Facts) -> Iterator[str]:
+    if facts.least is not None and facts.least < 0:
+        tamed = "" if table.spec.windowed else "; the window below tames it"
+        told = "The expansion rings: the least value it takes, over all directions and measured sets, is"
+        yield f"{told} {100 * facts.least:.3g} % of its largest in the same set{tamed}."

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from skylight_sh.export.c_header import template
+from skylight_sh.export.template import template
 from skylight_sh.sphere import bands_of
 
 Array = NDArray[np.float64]

@@ -11,8 +11,10 @@ import numpy as np
 
 from skylight_sh import __version__, sphere
 from skylight_sh.export.c_comment import input_lines
-from skylight_sh.export.c_header import PREFIX, Facts, template
+from skylight_sh.export.c_header import Facts
+from skylight_sh.export.c_header import check_prefix as check_identifier
 from skylight_sh.export.shader_dialects import DIALECTS, Dialect, check_prefix
+from skylight_sh.export.template import template
 from skylight_sh.formula import printers
 from skylight_sh.formula.bases import BASES
 from skylight_sh.formula.printers import Language
@@ -52,8 +54,7 @@ def write(table: Table, facts: Facts, language: str, prefix: str = "skylight_sh"
     why = obstacle(table)
     if why or not isinstance(table.body, Rows):
         raise ValueError(f"This table cannot become a shader: {why}.")
-    if not PREFIX.fullmatch(prefix):
-        raise ValueError(f"Invalid prefix {prefix!r}. Should be a lower-case C identifier of at most 32 characters.")
+    check_identifier(prefix)
     check_prefix(prefix)
     dialect = DIALECTS[language]
     names = [axis.name for axis in table.axes]

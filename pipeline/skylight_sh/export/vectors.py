@@ -13,7 +13,7 @@ from itertools import product
 import numpy as np
 from numpy.typing import NDArray
 
-from skylight_sh.export import c_header
+from skylight_sh.export.template import template
 from skylight_sh.runtime import Runtime, Table
 from skylight_sh.table.table import float32_limits
 
@@ -58,7 +58,7 @@ def write(table: Table) -> str:
 
 def self_test(table: Table, prefix: str = "skylight_sh") -> str:
     """Return a C program, C99 and C++11, that holds ``skylight_sh.h`` against the vectors in its first argument."""
-    return c_header.template("selftest.c.j2").render(
+    return template("selftest.c.j2").render(
         p=prefix,
         P=prefix.upper(),
         format=FORMAT,

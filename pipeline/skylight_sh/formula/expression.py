@@ -185,15 +185,39 @@ def derivatives(program: Program, by: int) -> Program:
     >>> float(derivatives(squared, 0).run([3.0, 5.0])[0])
     30.0
     """
-    known: dict[Expression, Expression] = {}
+    return _program_of(program, _slopes(expressions(program), by))
 
-    def slope(output: Expression) -> Expression:
+
+def with_derivatives(program: Program, by: Sequence[int]) -> Program:
+    """Return the program of the outputs, then of their exact derivatives after each input of ``by`` in turn.
+
+    >>> squared = trace(lambda x, y: [x * x * y], ["x", "y"])
+    >>> [float(value) for value in with_derivatives(squared, [0, 1]).run([3.0, 5.0])]
+    [45.0, 30.0, 9.0]
+    """
+    outputs = expressions(program)
+    return _program_of(program, [*outputs, *(slope for place in by for slope in _slopes(outputs, place))])
+
+
+def composed(outer: Program, inner: Sequence[Program]) -> Program:
+    """Return the program of ``outer`` whose inputs are the first outputs of ``inner``, all over the same inputs.
+
+    >>> shifted = trace(lambda x: [x + 1], ["x"])
+    >>> float(composed(trace(lambda u: [u * u], ["u"]), [shifted]).run([2.0])[0])
+    9.0
+    """
+    names = inner[0].inputs
+    symbols = [Expression("input", value=place) for place in range(len(names))]
+    return program(expressions(outer, [expressions(one, symbols)[0] for one in inner]), names)
+
+
+def _slopes(outputs: Sequence[Expression], by: int) -> list[Expression]:
+    known: dict[Expression, Expression] = {}
+    for output in outputs:
         for node in _ordered(output, {}):
             if node not in known:
                 known[node] = _slope(node, by, known)
-        return known[output]
-
-    return _program_of(program, [slope(output) for output in expressions(program)])
+    return [known[output] for output in outputs]
 
 
 def _program_of(like: Program, outputs: Sequence[Expression]) -> Program:

@@ -19,6 +19,7 @@ import numpy as np
 
 from skylight_sh import runtime
 from skylight_sh.export import c_header
+from skylight_sh.export.template import template
 from skylight_sh.runtime import Runtime, Table
 from skylight_sh.studies.stability.flavours import flavours
 
@@ -57,7 +58,7 @@ def source(table: Table) -> str:
         for i, (low, high) in enumerate(table.ranges)
     ]
     azimuth = {"first": 1 - _INFINITE, "last": _INFINITE - 1, "low": "-1e1f", "high": "1e1f"}
-    return c_header.template("fuzz.c.j2").render(
+    return template("fuzz.c.j2").render(
         p=_PREFIX,
         P=_PREFIX.upper(),
         inputs=[axes[0], azimuth, *axes[1:]],
