@@ -219,12 +219,12 @@ class Config(Section):
     light: Annotated[OptionsOfLight, AnyOf(LIGHTS, "model", "the light")]
     axes: tuple[AxisSection, ...] = Field(description="the light's parameters, one [[axes]] table each")
     truth: TruthSection = Field(description="a [truth] section: how the ground truth is sampled")
-    fit: FitSection = FitSection()
+    fit: FitSection = FitSection.model_construct()
     winners: tuple[WinnerSection, ...] = Field(description="at least one [[winners]] table")
     export: ExportSection = Field(description="an [export] section: what renderers get")
-    report: ReportSection = ReportSection()
-    scene: SceneSection = SceneSection()
-    run: RunSection = RunSection()
+    report: ReportSection = ReportSection.model_construct()
+    scene: SceneSection = SceneSection.model_construct()
+    run: RunSection = RunSection.model_construct()
     _folder: Path = PrivateAttr(default_factory=Path)
 
     @property

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from skylight_sh import MissingExtraError
 from skylight_sh.config.schema import Config
-from skylight_sh.scene import solar
 
 
 def narrowed(config: Config) -> Config:
@@ -15,6 +14,8 @@ def narrowed(config: Config) -> Config:
     asked, peak = config.scene.sun, config.light.hints.peak_axis
     if asked is None or all(axis.name != peak for axis in config.axes):
         return config
+    from skylight_sh.scene import solar
+
     try:
         least, largest = solar.zenith_range(asked.latitude, *asked.dates)
     except MissingExtraError as error:

@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
-from skylight_sh.light.protocol import Light
-from skylight_sh.quadrature.rule import Rule
+from typing import TYPE_CHECKING
+
 from skylight_sh.registry import Registry
+
+if TYPE_CHECKING:
+    from skylight_sh.light.protocol import Light
+    from skylight_sh.quadrature.rule import Rule
 
 # From this many bands on, rings cost less than nodes about the sun (`make bench` shows both).
 _MANY_BANDS = 16

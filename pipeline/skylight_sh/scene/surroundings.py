@@ -9,13 +9,16 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from skylight_sh import sphere
 from skylight_sh.reproducible import to_grid
-from skylight_sh.runtime import Surroundings
+
+if TYPE_CHECKING:
+    from skylight_sh.runtime import Surroundings
 
 Array = NDArray[np.float64]
 
@@ -64,6 +67,8 @@ def build(
     and do not light the ground. Masks are multiplied with 2N - 1 bands of each. Raises ValueError for a number out of its
     range.
     """
+    from skylight_sh.runtime import Surroundings
+
     masked = bool(len(skyline) or clouds or occluders)
     if albedo is not None and masked and bands < 2:
         raise ValueError("One band does not tell the irradiance on the ground. Give at least two bands.")
@@ -96,4 +101,4 @@ def build(
 
 def rounded(around: Surroundings) -> Surroundings:
     """Return the surroundings on a grid that single precision holds, the same on every machine."""
-    return Surroundings(*(to_grid(part, _GRID_BITS) for part in (around.transfer, around.own, around.below)))
+    return type(around)(*(to_grid(part, _GRID_BITS) for part in (around.transfer, around.own, around.below)))

@@ -6,11 +6,11 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from skylight_sh.export.shader_dialects import DIALECTS
-from skylight_sh.export.target import Target
 from skylight_sh.registry import Registry
 
 if TYPE_CHECKING:
     from skylight_sh.export.c_header import Facts
+    from skylight_sh.export.target import Target
     from skylight_sh.runtime import Table
 
 TARGETS: Registry[Target] = Registry(

@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
-from skylight_sh.formula.bases.protocol import Basis
+from typing import TYPE_CHECKING
+
 from skylight_sh.registry import Registry
+
+if TYPE_CHECKING:
+    from skylight_sh.formula.bases.protocol import Basis
 
 BASES: Registry[Basis] = Registry(
     {
@@ -13,5 +17,3 @@ BASES: Registry[Basis] = Registry(
         "fourier": "skylight_sh.formula.bases.fourier:BASIS",
     }
 )
-
-__all__ = ["BASES", "Basis"]

@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
-from skylight_sh.formula.variables.protocol import Variable
+from typing import TYPE_CHECKING
+
 from skylight_sh.registry import Registry
+
+if TYPE_CHECKING:
+    from skylight_sh.formula.variables.protocol import Variable
 
 # By their names in a config's ``axes.map``.
 VARIABLES: Registry[Variable] = Registry(
@@ -15,5 +19,3 @@ VARIABLES: Registry[Variable] = Registry(
         "cbrt": "skylight_sh.formula.variables.cbrt:VARIABLE",
     }
 )
-
-__all__ = ["VARIABLES", "Variable"]

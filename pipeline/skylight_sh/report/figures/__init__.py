@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from skylight_sh.registry import Registry
-from skylight_sh.report.figures.picture import Picture
+
+if TYPE_CHECKING:
+    from skylight_sh.report.figures.picture import Picture
 
 PICTURES: Registry[Picture] = Registry(
     {
