@@ -149,7 +149,7 @@ def test_a_prefactor_counts_the_numbers_in_its_code(light: Light, count: int) ->
     program = closed_form(hint, axes).program
     assert program.literals == count
     # Constants printed as names, so that every digit in the text is a literal's.
-    names = replace(program, constants=tuple(float(1000 + i) for i in range(len(program.constants))))
+    names = replace(program, constants=tuple(float(7000 + i) for i in range(len(program.constants))))
     lines, results = statements(names, C_DOUBLE, [f"x{i}" for i in range(len(axes))])
-    text = re.sub(r"\b1\d\d\d\.0\b", "k", "\n".join([*lines, *results]))
+    text = re.sub(r"\b7\d\d\d\.0\b", "k", "\n".join([*lines, *results]))
     assert len(re.findall(r"(?<![\w.])(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?\b", text)) == count
