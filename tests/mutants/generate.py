@@ -18,7 +18,7 @@ SOURCES = (
         for folder in ("formula", "light", "sphere", "quadrature", "fit", "table", "probe", "scene", "export")
     ),
     "pipeline/skylight_sh/runtime.py",
-    *(f"pipeline/skylight_sh/run/{name}.py" for name in ("config_axes", "from_config")),
+    *(f"pipeline/skylight_sh/run/{name}.py" for name in ("config_axes", "config_surroundings", "from_config")),
     *(f"pipeline/skylight_sh/run/stages/{name}.py" for name in ("fit", "select", "origins", "truth")),
     *(f"pipeline/skylight_sh/report/{name}.py" for name in ("errors_csv", "ringing", "panorama")),
     "pipeline/skylight_sh/export/templates/*.j2",
@@ -26,7 +26,7 @@ SOURCES = (
 )
 # A generator of random inputs: another number there is another test, and no other result.
 _NO_NUMERICS = ("fuzz.c.j2",)
-_C_IN_PYTHON = re.compile(r".*/(export/(c_data|c_formulas|c_header|shaders|shader_dialects))\.py")
+_C_IN_PYTHON = re.compile(r".*/(formula/printers|export/(c_data|c_formulas|c_header|shaders|shader_dialects))\.py")
 # Widths and counts of digits of what is printed, for people.
 _FORMATTING = {
     "about",
