@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from skylight_sh.fit.axis import Axis
 from skylight_sh.fit.least_squares import fit_tensor
-from skylight_sh.fit.tensor_product import grid_products
+from skylight_sh.fit.tensor_product import grid_products, products
 from skylight_sh.formula.bases import BASES
 
 Array = NDArray[np.float64]
@@ -147,7 +147,7 @@ def _denominator(low: Array, high: Array, samples: Array, least: Array, pull: fl
     for _ in range(_ITERATIONS):
         weight = 1.0 / (q * least)
         orthonormal, _ = np.linalg.qr(high * weight[:, np.newaxis])
-        columns = ((samples * weight[:, np.newaxis])[:, :, np.newaxis] * low[:, np.newaxis, :]).reshape(len(low), -1)
+        columns = products([samples * weight[:, np.newaxis], low])
         columns = columns - orthonormal @ (orthonormal.T @ columns)
         rows = columns.reshape(-1, low.shape[1])
         normal = rows.T @ rows
