@@ -129,7 +129,11 @@ def parse_axes(text: str) -> Array:
 
 
 def describe(text: str) -> str:
-    """Say in words what ``parse_axes`` reads: where east, north and up go, and which hand the engine's axes have."""
+    """Say in words what ``parse_axes`` reads: where east, north and up go, and which hand the engine's axes have.
+
+    >>> describe("x=+x,y=-z,z=+y")
+    'east is +x, north is -z, up is +y; right-handed'
+    """
     matrix = parse_axes(text)
     places = []
     for i, name in enumerate(("east", "north", "up")):
@@ -165,7 +169,11 @@ def structure(numbers: Array, profile: Profile) -> Any:
 
 
 def columns(profile: Profile, bands: int) -> list[str]:
-    """Return the names of ``flatten``'s numbers, channel and flat index, in the engine's order."""
+    """Return the names of ``flatten``'s numbers, channel and flat index, in the engine's order.
+
+    >>> columns(PROFILES["unreal"], 1)
+    ['red_0', 'green_0', 'blue_0']
+    """
     places = range(bands * bands)
     if profile.layout == "planar":
         return [f"{channel}_{i}" for channel in CHANNELS for i in places]

@@ -91,5 +91,9 @@ class Axis:
 
 
 def of_table(axis: runtime.Axis) -> Axis:
-    """Return a table's axis as the fit knows it."""
+    """Return a table's axis as the fit knows it.
+
+    >>> of_table(Axis("height", 0.0, 1.0).specified) == Axis("height", 0.0, 1.0)
+    True
+    """
     return Axis(axis.name, axis.low, axis.high, axis.unit, axis.map, axis.point)

@@ -54,6 +54,10 @@ def zenith_range(latitude: float, first: str, last: str) -> tuple[float, float]:
 
     ``latitude`` is in degrees north; ``first`` and ``last`` are ISO dates, at most a year apart. Raises ValueError for dates
     that are none or in the wrong order, and where the sun never rises; MissingExtraError without Astral.
+
+    >>> least, most = zenith_range(48.2, "2024-06-21", "2024-06-21")
+    >>> round(math.degrees(least)), round(math.degrees(most))
+    (24, 90)
     """
     try:
         from astral import Observer, sun
@@ -79,6 +83,9 @@ def moments(day: date, zone: str, step: int) -> Iterator[datetime]:
 
     The steps are even in real time: a day on which clocks change has 23 or 25 hours. Raises ValueError for an unknown
     zone or a step below one minute.
+
+    >>> [moment.isoformat() for moment in moments(date(2024, 6, 21), "Europe/Vienna", 720)]
+    ['2024-06-21T00:00:00+02:00', '2024-06-21T12:00:00+02:00']
     """
     try:
         local = ZoneInfo(zone)
