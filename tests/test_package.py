@@ -26,12 +26,13 @@ OFFLINE = ["--quiet", "--disable-pip-version-check", "--no-deps", "--no-index"]
 # All that a base installation may load of ours to print a sky in an engine's form.
 MOST_MODULES = 10
 SUN = ("--sun-zenith", "0.8", "--turbidity", "3")
-COUNT = """
+FOREIGN = ("scipy", "pydantic", "h5py", "dask", "threadpoolctl", "matplotlib", "pandas", "jinja2", "rich")
+# Prints what a program has loaded of ours, and of what the base installation lacks.
+COUNT = f"""
 import json, sys
-{body}
-loaded = {{name.partition(".")[0] for name in sys.modules}}
-ours = sorted(name for name in sys.modules if name.partition(".")[0] == "skylight_sh")
-print(json.dumps([ours, sorted(loaded & {{"scipy", "pydantic", "h5py", "dask", "matplotlib", "pandas", "jinja2", "rich"}})]))
+{{body}}
+print(json.dumps([sorted(m for m in sys.modules if m.split(".")[0] == "skylight_sh"),
+                  [m for m in {FOREIGN} if m in sys.modules]]))
 """
 
 
@@ -187,6 +188,12 @@ def test_a_shipped_config_runs_in_a_folder_with_a_pipeline_of_its_own(installed:
     assert "report  reports/cie-overcast/index.html" in out
     for path in ("reports/cie-overcast/index.html", "reports/cie-overcast/export/skylight_sh.h", "artifacts/truth"):
         assert (installed.folder / path).exists(), path
+    # A second run loads what reads configs and artifacts, and none of what computes or draws.
+    body = "from skylight_sh.cli import main\nmain(['run', 'cie-overcast'], standalone_mode=False)"
+    done = installed.run("python", "-c", COUNT.format(body=body), everything=True)
+    ours, foreign = json.loads(done.stdout.splitlines()[-1])
+    assert sorted(foreign) == ["h5py", "pydantic"]
+    assert not [name for name in ours if name.startswith(("skylight_sh.run.stages", "skylight_sh.run.executors"))]
     # A picture that a shipped config names lies beside it.
     assert installed.skylight("init", "own.toml")[0] == 0
     for name, run in (("own.toml", "own"), ("valley", "valley")):

@@ -96,7 +96,7 @@ def test_c_example_prints_what_it_says(tmp_path: Path) -> None:
 
 
 def test_python_example_prints_what_it_says() -> None:
-    program = code("python", "runtime.load")
+    program = code("python", "skylight_sh.load")
     done = subprocess.run([sys.executable, "-c", program], cwd=ROOT, capture_output=True, text=True, check=True)
     assert done.stdout.strip() == block("py-output")
 
