@@ -65,7 +65,7 @@ class Sweep:
 
 
 @dataclass(frozen=True)
-class Material:
+class ReportData:
     """What pictures and page are made of.
 
     ``sample`` gives a set's true weights ``(channels, count)``; ``fronts`` the Pareto front of bytes and E_mean,

@@ -4,18 +4,18 @@ from __future__ import annotations
 
 import numpy as np
 
-from skylight_sh.report.report_data import Material
+from skylight_sh.report.report_data import ReportData
 from skylight_sh.table.row_layout import layout
 
 
-def rows(material: Material) -> list[tuple[str, str]]:
+def rows(data: ReportData) -> list[tuple[str, str]]:
     """Return what was skipped and what it saved, in numbers of this run; nothing where nothing was."""
-    scene, light = material.settings["scene"], material.light
-    table = material.best.table
+    scene, light = data.settings["scene"], data.light
+    table = data.best.table
     channels, bands = len(light.channels), table.bands
-    grid = int(np.prod([nodes.size for nodes in material.grid]))
+    grid = int(np.prod([nodes.size for nodes in data.grid]))
     found = []
-    harmonics = material.harmonics.first(bands)
+    harmonics = data.harmonics.first(bands)
     if harmonics.mirrored:
         half, full = harmonics.count, bands * bands
         found.append(("orders m < 0, which symmetry makes zero", f"{half} instead of {full} weights a channel"))
@@ -34,10 +34,10 @@ def rows(material: Material) -> list[tuple[str, str]]:
     if scene["window"]:
         found.append(("the window at run time, folded into the weights", f"{(bands - 1) * channels} products a call"))
     if scene["sun"] is not None:
-        first = next((a for a in material.axes if a.name == table.spec.peak_axis), material.axes[0])
+        first = next((a for a in data.axes if a.name == table.spec.peak_axis), data.axes[0])
         low, high = np.degrees(first.low), np.degrees(first.high)
         found.append(("suns that do not occur there and then", f"zenith angles {low:.1f} to {high:.1f} of 0 to 90 degrees"))
-    for degree, axis, swept in zip(table.degrees, material.axes, material.sweep.degrees.max(axis=0), strict=True):
+    for degree, axis, swept in zip(table.degrees, data.axes, data.sweep.degrees.max(axis=0), strict=True):
         if degree < swept:
             found.append((f"powers of {axis.name} above {degree}", f"{degree + 1} instead of {swept + 1} terms"))
     return found

@@ -1,4 +1,4 @@
-"""A config's fit grid, sampled afresh in this process: the benchmarks' and stress tests' material."""
+"""A config's fit grid, sampled afresh in this process: the benchmarks' and stress tests' samples."""
 
 from __future__ import annotations
 

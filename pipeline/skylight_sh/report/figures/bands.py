@@ -7,7 +7,7 @@ from matplotlib.figure import Figure
 
 from skylight_sh.report import style
 from skylight_sh.report.figures.picture import Picture
-from skylight_sh.report.report_data import Material
+from skylight_sh.report.report_data import ReportData
 from skylight_sh.table.size import bytes_of
 
 CAPTION = (
@@ -21,18 +21,18 @@ CAPTION = (
 _QUOTED = ((7, 0.015), (5, 0.00005))
 
 
-def draw(material: Material) -> Figure:
+def draw(data: ReportData) -> Figure:
     """Draw E_mean beside E_max, one line a table."""
     figure = style.figure(11.5, 5.4)
     left, right = figure.subplots(1, 2, sharey=True)
-    entries = [*material.winners, *material.references]
-    shown = [e for e in entries if e in material.references or e.table.bands == material.best.table.bands]
-    best = material.best.table.bands
+    entries = [*data.winners, *data.references]
+    shown = [e for e in entries if e in data.references or e.table.bands == data.best.table.bands]
+    best = data.best.table.bands
     for axes, attribute, title in ((left, "e_mean", "E_mean"), (right, "e_max", "E_max")):
         for i, entry in enumerate(shown):
             errors = getattr(entry, attribute)[0].max(axis=0)
             count = np.arange(1, errors.size + 1)
-            dashed = entry in material.references
+            dashed = entry in data.references
             axes.semilogy(
                 count,
                 errors,
@@ -42,11 +42,11 @@ def draw(material: Material) -> Figure:
                 linestyle="--" if dashed else "-",
                 label=f"{entry.name}: {bytes_of(entry.table, min(best, entry.table.bands)):,} B",
             )
-        axes.set_title(f"largest {title}, L_min {material.conventions[0]}")
+        axes.set_title(f"largest {title}, L_min {data.conventions[0]}")
         axes.set_xlabel("bands N")
         axes.yaxis.set_major_formatter(style.percent_ticks())
         axes.grid(True, which="major", alpha=0.3)
-    if ("preetham" in str(material.settings["light"]["model"]) and material.references) or material.name == "paper":
+    if ("preetham" in str(data.settings["light"]["model"]) and data.references) or data.name == "paper":
         left.plot(
             *zip(*_QUOTED, strict=True), "x", color="black", markersize=10, markeredgewidth=2, label="quoted by the paper"
         )

@@ -7,7 +7,7 @@ from matplotlib.figure import Figure
 
 from skylight_sh.report import style
 from skylight_sh.report.figures.picture import Picture
-from skylight_sh.report.report_data import Material
+from skylight_sh.report.report_data import ReportData
 from skylight_sh.table.size import bytes_of
 
 CAPTION = (
@@ -20,20 +20,20 @@ CAPTION = (
 _QUOTED = (131_712, 0.015)
 
 
-def draw(material: Material) -> Figure:
+def draw(data: ReportData) -> Figure:
     """Draw one colour a number of bands."""
     figure = style.figure(10.5, 5)
     axes = figure.subplots()
-    for i, bands in enumerate(sorted({entry.table.bands for entry in material.winners}, reverse=True)):
-        outputs = material.harmonics.first(bands).count * len(material.light.channels)
-        size = 4 * outputs * np.prod(material.sweep.degrees + 1, axis=1)
-        error = material.sweep.e_mean[0, :, :, bands - 1].max(axis=1)
+    for i, bands in enumerate(sorted({entry.table.bands for entry in data.winners}, reverse=True)):
+        outputs = data.harmonics.first(bands).count * len(data.light.channels)
+        size = 4 * outputs * np.prod(data.sweep.degrees + 1, axis=1)
+        error = data.sweep.e_mean[0, :, :, bands - 1].max(axis=1)
         axes.loglog(size, error, ".", color=style.SERIES[i], alpha=0.35, label=f"sweep, {bands} bands")
         for layout, fill in (("rows", "full"), ("packed", "none")):
-            front = material.fronts.get((bands, layout))
+            front = data.fronts.get((bands, layout))
             if front is not None:
                 axes.loglog(*front.T, color=style.SERIES[i], linestyle="-" if layout == "rows" else "--", linewidth=1)
-            winners = [e for e in material.winners if e.table.bands == bands and e.table.body.kind == layout]
+            winners = [e for e in data.winners if e.table.bands == bands and e.table.body.kind == layout]
             axes.loglog(
                 [bytes_of(entry.table) for entry in winners],
                 [entry.headline[0] for entry in winners],
@@ -44,9 +44,9 @@ def draw(material: Material) -> Figure:
                 markersize=9,
                 label=f"{layout}, {bands} bands",
             )
-    best = material.best
+    best = data.best
     bands = best.table.bands
-    for i, entry in enumerate(material.references):
+    for i, entry in enumerate(data.references):
         axes.loglog(
             bytes_of(entry.table, bands),
             entry.headline_at(bands)[0],
@@ -55,7 +55,7 @@ def draw(material: Material) -> Figure:
             markersize=9,
             label=entry.name,
         )
-    if material.references:
+    if data.references:
         axes.loglog(*_QUOTED, "X", color=style.RED, markeredgecolor="black", markersize=9, label="quoted by the paper")
     axes.annotate(
         "recommended",
@@ -66,7 +66,7 @@ def draw(material: Material) -> Figure:
         arrowprops={"arrowstyle": "->"},
     )
     axes.set_xlabel("bytes")
-    axes.set_ylabel(f"largest E_mean, L_min {material.conventions[0]}")
+    axes.set_ylabel(f"largest E_mean, L_min {data.conventions[0]}")
     axes.yaxis.set_major_formatter(style.percent_ticks())
     axes.grid(True, which="major", alpha=0.3)
     figure.legend(*axes.get_legend_handles_labels(), loc="outside right upper", fontsize=8)

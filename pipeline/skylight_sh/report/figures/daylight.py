@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 
 from skylight_sh.report import style
 from skylight_sh.report.figures.picture import Picture
-from skylight_sh.report.report_data import Material
+from skylight_sh.report.report_data import ReportData
 from skylight_sh.scene import clear_day
 from skylight_sh.table import twilight
 
@@ -22,17 +22,17 @@ CAPTION = (
 )
 
 
-def draw(material: Material) -> Figure | None:
+def draw(data: ReportData) -> Figure | None:
     """Draw three panels; None for a light that is not the Preetham sky."""
-    if material.settings["light"]["model"] != "preetham":
+    if data.settings["light"]["model"] != "preetham":
         return None
-    fixed = material.settings["scene"]["fixed"]
+    fixed = data.settings["scene"]["fixed"]
     low, high = next(
-        ((axis.low, axis.high) for axis in material.axes if axis.name == "turbidity"), (fixed.get("turbidity"),) * 2
+        ((axis.low, axis.high) for axis in data.axes if axis.name == "turbidity"), (fixed.get("turbidity"),) * 2
     )
     theta = np.radians(np.linspace(0.0, 90.0, 46))
     height = 90.0 - np.degrees(theta)
-    sinks = material.best.table.spec.twilight
+    sinks = data.best.table.spec.twilight
     figure = style.figure(16 if sinks else 12, 4.2)
     panels = figure.subplots(1, 4 if sinks else 3)
     wanted = sorted({low, (low + high) / 2, high})

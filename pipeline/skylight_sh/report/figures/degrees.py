@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 
 from skylight_sh.report import style
 from skylight_sh.report.figures.picture import Picture
-from skylight_sh.report.report_data import Material
+from skylight_sh.report.report_data import ReportData
 
 CAPTION = (
     "Largest E_mean in per cent (per-set L_min, worst channel, recommended table's bands) for every combination of "
@@ -17,17 +17,17 @@ CAPTION = (
 )
 
 
-def draw(material: Material) -> Figure | None:
+def draw(data: ReportData) -> Figure | None:
     """Draw the first two axes' degrees; further axes stand at their largest. None where nothing was swept."""
-    sweep, bands = material.sweep, material.best.table.bands
+    sweep, bands = data.sweep, data.best.table.bands
     error = sweep.e_mean[0, :, :, bands - 1].max(axis=1)
     if error.size < 2:
         return None
-    if len(material.axes) == 1:
+    if len(data.axes) == 1:
         figure = style.figure(8, 4)
         axes = figure.subplots()
         axes.semilogy(sweep.degrees[:, 0], error, marker="o", color=style.BLUE)
-        axes.set_xlabel(f"degree in {material.axes[0].name}")
+        axes.set_xlabel(f"degree in {data.axes[0].name}")
         axes.set_ylabel("largest E_mean")
         axes.yaxis.set_major_formatter(style.percent_ticks())
         axes.grid(True, alpha=0.3)
@@ -45,9 +45,9 @@ def draw(material: Material) -> Figure | None:
         axes.text(j, i, _short(value), ha="center", va="center", fontsize=6.5, color="black" if value > middle else "white")
     axes.set_xticks(range(first.size), first.tolist())
     axes.set_yticks(range(second.size), second.tolist())
-    axes.set_xlabel(f"degree in {material.axes[0].name}")
-    axes.set_ylabel(f"degree in {material.axes[1].name}")
-    held = zip(material.axes[2:], sweep.degrees[:, 2:].max(axis=0), strict=True)
+    axes.set_xlabel(f"degree in {data.axes[0].name}")
+    axes.set_ylabel(f"degree in {data.axes[1].name}")
+    held = zip(data.axes[2:], sweep.degrees[:, 2:].max(axis=0), strict=True)
     axes.set_title(", ".join(f"degree {degree} in {axis.name}" for axis, degree in held), fontsize=10)
     figure.colorbar(image, label="largest E_mean, % of L_min")
     return figure

@@ -10,7 +10,7 @@ from skylight_sh import probe
 from skylight_sh.probe.files import from_srgb, to_srgb
 from skylight_sh.report import panorama, style
 from skylight_sh.report.figures.picture import Picture
-from skylight_sh.report.report_data import Material
+from skylight_sh.report.report_data import ReportData
 
 Array = NDArray[np.float64]
 
@@ -30,10 +30,10 @@ CAPTION = (
 )
 
 
-def draw(material: Material) -> Figure:
+def draw(data: ReportData) -> Figure:
     """Draw undershoot over bands, and the four expansions."""
-    pictures = _pictures(material)
-    row = material.light.luminance_row
+    pictures = _pictures(data)
+    row = data.light.luminance_row
     figure = style.figure(17, 3.2)
     curves, *panels = figure.subplots(1, 1 + len(pictures), width_ratios=(1.5, *(1.0,) * len(pictures)))
     for k, (name, (pixels, sigma)) in enumerate(pictures.items()):
@@ -61,10 +61,10 @@ def draw(material: Material) -> Figure:
     return figure
 
 
-def _pictures(material: Material) -> dict[str, tuple[Array, float]]:
+def _pictures(data: ReportData) -> dict[str, tuple[Array, float]]:
     """Return the pictures by name, each with the pre-filter's standard deviation in radians."""
-    light = material.light
-    parameters = {axis.name: np.array([value]) for axis, value in zip(material.axes, material.middle, strict=True)}
+    light = data.light
+    parameters = {axis.name: np.array([value]) for axis, value in zip(data.axes, data.middle, strict=True)}
     floats = probe.render(light, parameters, "equirect", _ROWS, 2 * _ROWS)
     white = panorama.white(floats[: _ROWS // 2] @ light.luminance_row)
     patch = probe.patches("equirect", _ROWS, 2 * _ROWS)[0]

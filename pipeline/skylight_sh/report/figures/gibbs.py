@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from skylight_sh.report import panorama, ringing, style
 from skylight_sh.report.figures.picture import Picture
-from skylight_sh.report.report_data import Material
+from skylight_sh.report.report_data import ReportData
 from skylight_sh.report.ringing import GROUNDS, LEAST, Ringing, Study, tried
 
 Array = NDArray[np.float64]
@@ -27,9 +27,9 @@ CAPTION = (
 )
 
 
-def draw(material: Material) -> Figure | None:
+def draw(data: ReportData) -> Figure | None:
     """Draw the study; None where there is none."""
-    study = material.ringing
+    study = data.ringing
     if study is None:
         return None
     figure = style.figure(12, 15.5)
@@ -40,9 +40,9 @@ def draw(material: Material) -> Figure | None:
     _curves(above, study.found)
     figure.text(0.01, 0.995, f"{len(study.sets)} sets of parameters", fontsize=8, va="top")
     bands = study.found.bands
-    shown = min(max(material.best.table.bands, bands[0]), bands[-1])
+    shown = min(max(data.best.table.bands, bands[0]), bands[-1])
     below.suptitle(f"{shown} bands", fontsize=10)
-    _panoramas(below, study, material, shown)
+    _panoramas(below, study, data, shown)
     return figure
 
 
@@ -70,7 +70,7 @@ def _curves(figure: SubFigure, found: Ringing) -> None:
     panels[0, -1].legend(fontsize=8)
 
 
-def _panoramas(figure: SubFigure, study: Study, material: Material, bands: int) -> None:
+def _panoramas(figure: SubFigure, study: Study, data: ReportData, bands: int) -> None:
     room = {"left": 0.06, "right": 0.88, "top": 0.88, "bottom": 0.1, "wspace": 0.06, "hspace": 0.32}
     panels = figure.subplots(len(GROUNDS), 3, sharex=True, sharey=True, gridspec_kw=room)
     scale = SymLogNorm(0.03, vmin=-1.0, vmax=1.0)
@@ -84,7 +84,7 @@ def _panoramas(figure: SubFigure, study: Study, material: Material, bands: int) 
             picture = panorama.expansion((lit[at] * factors[window])[np.newaxis])[..., 0] / study.brightest[at]
             image = panel.imshow(picture, extent=panorama.EXTENT, aspect="auto", cmap="PuOr_r", norm=scale)
             low = 100 * min(float(picture.min()), 0.0)
-            place = material.describe(study.sets[at])
+            place = data.describe(study.sets[at])
             panel.set_title(f"{ground}, {window}: lowest {low:.1f} %\n{place}", fontsize=7, parse_math=False)
         line[0].set_ylabel("altitude (°)")
     for panel in panels[-1]:
@@ -98,10 +98,10 @@ def _panoramas(figure: SubFigure, study: Study, material: Material, bands: int) 
     )
 
 
-def files(material: Material) -> dict[str, bytes]:
+def files(data: ReportData) -> dict[str, bytes]:
     """Return the numbers behind the picture."""
-    study = material.ringing
-    return {"ringing.csv": ringing.csv(study, [axis.name for axis in material.axes])} if study else {}
+    study = data.ringing
+    return {"ringing.csv": ringing.csv(study, [axis.name for axis in data.axes])} if study else {}
 
 
 PICTURE = Picture("Ringing: every window, every ground", CAPTION, draw, files)

@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from skylight_sh.fit.axis import Axis
 from skylight_sh.report import style
 from skylight_sh.report.figures.picture import Picture
-from skylight_sh.report.report_data import Entry, Material
+from skylight_sh.report.report_data import Entry, ReportData
 
 CAPTION = (
     "E_mean of each winner laid out for speed over the verification grid (worst channel, per-set L_min). A cross "
@@ -19,21 +19,21 @@ CAPTION = (
 )
 
 
-def draw(material: Material) -> Figure:
+def draw(data: ReportData) -> Figure:
     """Draw one map a winner, or one line where there is one axis."""
-    fast = [entry for entry in material.winners if entry.table.body.kind == "rows"]
-    entries = fast or list(material.winners)
-    if len(material.axes) == 1:
-        return _lines(material, entries)
+    fast = [entry for entry in data.winners if entry.table.body.kind == "rows"]
+    entries = fast or list(data.winners)
+    if len(data.axes) == 1:
+        return _lines(data, entries)
     columns = min(4, len(entries))
     rows = -(-len(entries) // columns)
     figure = style.figure(4 * columns, 3.3 * rows)
-    grids = [np.maximum(_grid(material, entry), 1e-12) for entry in entries]
+    grids = [np.maximum(_grid(data, entry), 1e-12) for entry in entries]
     low, high = 100 * min(float(g.min()) for g in grids), 100 * max(float(g.max()) for g in grids)
     panels: list[Axes] = list(np.atleast_1d(figure.subplots(rows, columns, sharex=True, sharey=True)).ravel())
-    first, second = material.axes[:2]
+    first, second = data.axes[:2]
     for panel, entry, grid in zip(panels, entries, grids, strict=False):
-        x, y = _shown(first, material.grid[0]), _shown(second, material.grid[1])
+        x, y = _shown(first, data.grid[0]), _shown(second, data.grid[1])
         image = panel.pcolormesh(x, y, 100 * grid.T, cmap=style.ERROR_MAP, norm=LogNorm(low, high), shading="nearest")
         panel.plot(
             _shown(first, entry.worst[:1]),
@@ -45,30 +45,30 @@ def draw(material: Material) -> Figure:
             clip_on=False,
             zorder=5,
         )
-        where = f"\nworst at {material.describe(entry.worst, first=2)}" if material.axes[2:] else ""
+        where = f"\nworst at {data.describe(entry.worst, first=2)}" if data.axes[2:] else ""
         panel.set_title(f"{entry.name}: {style.percent(entry.headline[0])}{where}", fontsize=9)
     for panel in panels[len(entries) :]:
         panel.set_axis_off()
     figure.supxlabel(_label(first))
     figure.supylabel(_label(second))
-    others = " and ".join(axis.name.replace("_", " ") for axis in material.axes[2:])
+    others = " and ".join(axis.name.replace("_", " ") for axis in data.axes[2:])
     figure.colorbar(image, ax=panels, label="E_mean, % of L_min" + (f", worst over {others}" if others else ""))
     return figure
 
 
-def _grid(material: Material, entry: Entry) -> np.ndarray:
-    shape = tuple(nodes.size for nodes in material.grid)
+def _grid(data: ReportData, entry: Entry) -> np.ndarray:
+    shape = tuple(nodes.size for nodes in data.grid)
     values = entry.per_set[: int(np.prod(shape))].reshape(shape)
     return np.asarray(values.max(axis=tuple(range(2, len(shape)))) if len(shape) > 2 else values)
 
 
-def _lines(material: Material, entries: list[Entry]) -> Figure:
+def _lines(data: ReportData, entries: list[Entry]) -> Figure:
     figure = style.figure(9, 4.5)
     axes = figure.subplots()
     for i, entry in enumerate(entries):
-        values = entry.per_set[: material.grid[0].size]
-        axes.semilogy(_shown(material.axes[0], material.grid[0]), values, color=style.SERIES[i % 7], label=entry.name)
-    axes.set_xlabel(_label(material.axes[0]))
+        values = entry.per_set[: data.grid[0].size]
+        axes.semilogy(_shown(data.axes[0], data.grid[0]), values, color=style.SERIES[i % 7], label=entry.name)
+    axes.set_xlabel(_label(data.axes[0]))
     axes.set_ylabel("E_mean (fraction of L_min)")
     axes.grid(True, alpha=0.3)
     axes.legend(fontsize=8)

@@ -7,7 +7,7 @@ from matplotlib.figure import Figure
 
 from skylight_sh.report import style
 from skylight_sh.report.figures.picture import Picture
-from skylight_sh.report.report_data import Material
+from skylight_sh.report.report_data import ReportData
 
 CAPTION = (
     "The paper's scheme on this run's grid. Left: the same converged weights fitted by raw monomials with three solvers, "
@@ -21,9 +21,9 @@ CAPTION = (
 _RELEASED = {"m < 0": 0.013, "relative L2": 0.0265}
 
 
-def draw(material: Material) -> Figure | None:
+def draw(data: ReportData) -> Figure | None:
     """Draw solvers, samples and symmetry side by side; None where the run did not ask for it."""
-    found = material.origins
+    found = data.origins
     if found is None:
         return None
     figure = style.figure(13.5, 4.6)
@@ -46,7 +46,7 @@ def draw(material: Material) -> Figure | None:
     right.set_title("what undersampling leaves", fontsize=10)
     for panel in (left, middle):
         panel.axhline(0.015, linestyle="--", color=style.BLACK, linewidth=1, label="the paper's 1.5 %")
-        panel.axhline(material.best.headline[0], color=style.GREEN, linewidth=1, label="ours, recommended")
+        panel.axhline(data.best.headline[0], color=style.GREEN, linewidth=1, label="ours, recommended")
         panel.set_ylabel("largest E_mean, L_min per set")
     for panel in (middle, right):
         panel.set_xlabel("samples a parameter set")

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from skylight_sh import sphere
 from skylight_sh.report import panorama, style
 from skylight_sh.report.figures.picture import Picture
-from skylight_sh.report.report_data import Entry, Material
+from skylight_sh.report.report_data import Entry, ReportData
 
 CAPTION = (
     "The paper's figure 2: the sky itself, its SH expansion from converged weights, the expansion from the table, and "
@@ -20,12 +20,12 @@ CAPTION = (
 )
 
 
-def draw(material: Material) -> Figure:
+def draw(data: ReportData) -> Figure:
     """Draw a column a case and table, a row a picture."""
     columns: list[tuple[str, NDArray[np.float64], Entry]] = []
-    for title, values in material.cases.items():
-        columns += [(title, values, entry) for entry in (*material.references[:2], material.best)]
-    columns.append(("Worst set of this table", material.best.worst, material.best))
+    for title, values in data.cases.items():
+        columns += [(title, values, entry) for entry in (*data.references[:2], data.best)]
+    columns.append(("Worst set of this table", data.best.worst, data.best))
     width = 3.7 * len(columns)
     figure = style.figure(width, 8.6)
     # So many panels take half a second to be laid out by constraint.
@@ -34,26 +34,26 @@ def draw(material: Material) -> Figure:
     panels = figure.subplots(4, len(columns), squeeze=False, sharex=True, sharey=True, gridspec_kw={**room, "bottom": 0.15})
     bars = figure.subplots(1, len(columns), squeeze=False, gridspec_kw={**room, "top": 0.085, "bottom": 0.068})[0]
     for column, (title, values, entry) in enumerate(columns):
-        _column(material, list(panels[:, column]), title, values, entry, bars[column])
-    for row, label in zip(panels[:, 0], _rows(material), strict=True):
+        _column(data, list(panels[:, column]), title, values, entry, bars[column])
+    for row, label in zip(panels[:, 0], _rows(data), strict=True):
         row.set_ylabel(f"{label}\naltitude (degrees)", fontsize=8)
     for panel in panels[-1]:
         panel.set_xlabel("azimuth from the sun (degrees)", fontsize=8)
     return figure
 
 
-def _rows(material: Material) -> tuple[str, ...]:
+def _rows(data: ReportData) -> tuple[str, ...]:
     """Return what the rows show."""
-    if material.best.table.spec.quantity == "irradiance":
+    if data.best.table.spec.quantity == "irradiance":
         return ("sky (radiance)", "true irradiance", "irradiance, table", "difference")
     return ("sky", "SH, true weights", "SH, table", "difference")
 
 
-def _column(material: Material, panels: list[Axes], title: str, values: np.ndarray, entry: Entry, bar: Axes) -> None:
-    light, table = material.light, entry.table
-    names = tuple(axis.name for axis in material.axes)
-    bands = min(table.bands, material.best.table.bands)
-    truth = table.whole(material.sample(values), bands)
+def _column(data: ReportData, panels: list[Axes], title: str, values: np.ndarray, entry: Entry, bar: Axes) -> None:
+    light, table = data.light, entry.table
+    names = tuple(axis.name for axis in data.axes)
+    bands = min(table.bands, data.best.table.bands)
+    truth = table.whole(data.sample(values), bands)
     if table.spec.windowed:
         truth = truth * sphere.zonal_sinc(table.bands)[: bands * bands]
     rebuilt = table.whole(table.evaluate(values[np.newaxis])[0], bands)
@@ -65,7 +65,7 @@ def _column(material: Material, panels: list[Axes], title: str, values: np.ndarr
     lit = panorama.white(true @ light.luminance_row) if table.spec.sun_disc else scale * white
     for panel, picture, level in zip(panels, (sky, true, made), (white, lit, lit), strict=False):
         panel.imshow(panorama.display(picture, level), extent=panorama.EXTENT, aspect="auto", interpolation="nearest")
-    difference = 100 * ((made - true) @ light.luminance_row) / (scale * _scale(material, values))
+    difference = 100 * ((made - true) @ light.luminance_row) / (scale * _scale(data, values))
     reach = max(float(np.abs(difference).max()), 1e-12)
     image = panels[3].imshow(
         difference, extent=panorama.EXTENT, aspect="auto", cmap=style.SIGNED_MAP, vmin=-reach, vmax=reach
@@ -77,13 +77,13 @@ def _column(material: Material, panels: list[Axes], title: str, values: np.ndarr
     bar.tick_params(labelsize=8)
     for panel in panels:
         panel.tick_params(labelsize=7)
-    panels[0].set_title(f"{title}\n{entry.name}, N = {bands}\n{material.describe(values)}", fontsize=8.5, parse_math=False)
+    panels[0].set_title(f"{title}\n{entry.name}, N = {bands}\n{data.describe(values)}", fontsize=8.5, parse_math=False)
 
 
-def _scale(material: Material, values: np.ndarray) -> float:
+def _scale(data: ReportData, values: np.ndarray) -> float:
     """Return the least luminance of the nearest verification grid set (1 if it is not positive): a scale for people."""
-    index = tuple(int(np.abs(nodes - value).argmin()) for nodes, value in zip(material.grid, values, strict=True))
-    least = float(material.least[index])
+    index = tuple(int(np.abs(nodes - value).argmin()) for nodes, value in zip(data.grid, values, strict=True))
+    least = float(data.least[index])
     return least if least > 0.0 else 1.0
 
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from skylight_sh.report.report_data import Material
+    from skylight_sh.report.report_data import ReportData
 
 
 @dataclass(frozen=True)
@@ -21,5 +21,5 @@ class Picture:
 
     title: str
     caption: str
-    draw: Callable[[Material], Figure | None]
-    files: Callable[[Material], Mapping[str, bytes]] = lambda _: {}
+    draw: Callable[[ReportData], Figure | None]
+    files: Callable[[ReportData], Mapping[str, bytes]] = lambda _: {}

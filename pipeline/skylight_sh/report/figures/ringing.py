@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 from skylight_sh import sphere
 from skylight_sh.report import panorama, style
 from skylight_sh.report.figures.picture import Picture
-from skylight_sh.report.report_data import Material
+from skylight_sh.report.report_data import ReportData
 
 CAPTION = (
     "The paper's figure 4: luminance of the recommended table's expansion without and with the zonal window of eq. 5, at "
@@ -18,15 +18,15 @@ CAPTION = (
 )
 
 
-def draw(material: Material) -> Figure | None:
+def draw(data: ReportData) -> Figure | None:
     """Draw luminance before and after, and a cut through the sun; None where the weights are windowed or no radiance."""
-    table = material.best.table
+    table = data.best.table
     if table.spec.windowed or table.spec.quantity != "radiance":
         return None
-    values = material.middle
+    values = data.middle
     weights = table.whole(table.evaluate(values[np.newaxis])[0], table.bands).astype(np.float64)
-    row = material.light.luminance_row
-    sky = panorama.sky(material.light, values, tuple(a.name for a in material.axes)) @ row
+    row = data.light.luminance_row
+    sky = panorama.sky(data.light, values, tuple(a.name for a in data.axes)) @ row
     before = panorama.expansion(weights) @ row
     after = panorama.expansion(weights * sphere.zonal_sinc(table.bands)) @ row
     # Three times the undershoot: the sky saturates, the ringing shows.
@@ -53,7 +53,7 @@ def draw(material: Material) -> Figure | None:
     right.set_xlabel("altitude on the sun's side (degrees)")
     right.set_ylabel("luminance (cd/m²)")
     right.legend(fontsize=8)
-    figure.suptitle(f"{material.best.name}, {material.describe(values)}", fontsize=10)
+    figure.suptitle(f"{data.best.name}, {data.describe(values)}", fontsize=10)
     return figure
 
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from skylight_sh import sphere
 from skylight_sh.report import panorama, style
 from skylight_sh.report.figures.picture import Picture
-from skylight_sh.report.report_data import Material
+from skylight_sh.report.report_data import ReportData
 from skylight_sh.runtime import Surroundings
 
 Array = NDArray[np.float64]
@@ -29,18 +29,18 @@ CAPTION = (
 )
 
 
-def draw(material: Material) -> Figure | None:
+def draw(data: ReportData) -> Figure | None:
     """Draw a row a sun azimuth; None where nothing surrounds the scene."""
-    table = material.best.table
+    table = data.best.table
     around = table.surroundings
     if around is None:
         return None
-    values = next(iter(material.cases.values()), material.middle)
+    values = next(iter(data.cases.values()), data.middle)
     still = table.whole(table.evaluate(values[np.newaxis])[0], table.bands).astype(np.float64)
     even = np.zeros_like(still)
     even[:, 0] = np.sqrt(4 * np.pi)
     hidden = _picture(Surroundings(around.transfer).apply(even, table.bands))
-    row = material.light.luminance_row
+    row = data.light.luminance_row
     azimuths = _AZIMUTHS if table.spec.azimuth is None else (float(np.degrees(table.spec.azimuth)),)
     figure = style.figure(12, 2.3 * len(azimuths) + 0.7)
     panels = figure.subplots(len(azimuths), 3, squeeze=False, sharex=True, sharey=True)
@@ -53,8 +53,8 @@ def draw(material: Material) -> Figure | None:
             # Azimuth rises to the left, as seen from inside.
             panel.imshow(picture[:, ::-1], extent=(180, -180, -90, 90), aspect="auto", interpolation="nearest")
             panel.tick_params(labelsize=7)
-        if material.light.hints.peak_axis:
-            height = 90.0 - float(np.degrees(values[[a.name for a in material.axes].index(material.light.hints.peak_axis)]))
+        if data.light.hints.peak_axis:
+            height = 90.0 - float(np.degrees(values[[a.name for a in data.axes].index(data.light.hints.peak_axis)]))
             for panel in line[::2]:
                 panel.plot((azimuth + 180.0) % 360.0 - 180.0, height, "+", color=style.RED, markersize=9)
         line[0].set_ylabel(f"sun at {azimuth:g}°\naltitude (degrees)", fontsize=8)
@@ -62,24 +62,24 @@ def draw(material: Material) -> Figure | None:
         panel.set_title(title, fontsize=10)
     for panel in panels[-1]:
         panel.set_xlabel("azimuth, from east towards north (degrees)", fontsize=8)
-    heading = f"{material.best.name}, {material.describe(values)}"
-    figure.suptitle("\n".join([heading, *_truncation(material, values, azimuths)]), fontsize=10)
+    heading = f"{data.best.name}, {data.describe(values)}"
+    figure.suptitle("\n".join([heading, *_truncation(data, values, azimuths)]), fontsize=10)
     return figure
 
 
-def _truncation(material: Material, values: Array, azimuths: Sequence[float]) -> list[str]:
+def _truncation(data: ReportData, values: Array, azimuths: Sequence[float]) -> list[str]:
     """Return a line that tells how far the first bands move with the widest sky; none without a wider one.
 
     A sign of convergence, not the error against the scene itself (``claims.scene`` measures that).
     """
-    table, widest = material.best.table, max(material.surroundings)
+    table, widest = data.best.table, max(data.surroundings)
     if widest <= table.bands or table.surroundings is None:
         return []
-    sky = material.full(values)[:, : widest**2]
+    sky = data.full(values)[:, : widest**2]
     worst = np.zeros(table.bands + 1)
     for azimuth in azimuths:
         turned = sphere.rotate_azimuth(sky, np.radians(azimuth))
-        exact = material.surroundings[widest].apply(turned, table.bands)
+        exact = data.surroundings[widest].apply(turned, table.bands)
         off = table.surroundings.apply(turned[:, : table.bands**2], table.bands) - exact
         for n in range(1, table.bands + 1):
             lost = np.linalg.norm(off[:, : n * n], axis=1) / np.linalg.norm(exact[:, : n * n], axis=1)

@@ -12,7 +12,7 @@ from skylight_sh.config.wanted import table_names
 from skylight_sh.quadrature import sampling
 from skylight_sh.report import errors_csv, page, style
 from skylight_sh.report.figures import PICTURES
-from skylight_sh.report.report_data import Entry, Material, Sweep
+from skylight_sh.report.report_data import Entry, ReportData, Sweep
 from skylight_sh.run.config_axes import axes_of, harmonics_of
 from skylight_sh.run.executors import Advance
 from skylight_sh.run.files import to_dataset
@@ -28,24 +28,24 @@ Array = NDArray[np.float64]
 
 def make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
     """Draw the pictures and write the page."""
-    material = _material(config, inputs)
+    data = _report_data(config, inputs)
     wanted = [name for name in PICTURES if name in config.report.figures]
-    files = {"errors.csv": errors_csv.csv(material)}
-    files |= {"references.csv": errors_csv.references_csv(material)} if material.references else {}
+    files = {"errors.csv": errors_csv.csv(data)}
+    files |= {"references.csv": errors_csv.references_csv(data)} if data.references else {}
     shown = []
     for done, name in enumerate(wanted):
         advance(done, len(wanted))
         picture = PICTURES[name]
-        figure = picture.draw(material)
-        files |= picture.files(material)
+        figure = picture.draw(data)
+        files |= picture.files(data)
         if figure is not None:
             files[f"figures/{name}.png"] = style.png(figure)
             shown.append(name)
-    files["index.html"] = page.html(material, shown)
+    files["index.html"] = page.html(data, shown)
     return to_dataset(files)
 
 
-def _material(config: Config, inputs: Inputs) -> Material:
+def _report_data(config: Config, inputs: Inputs) -> ReportData:
     fit, select, measured, grid, rule = (inputs[name] for name in ("fit", "select", "measure", VERIFICATION, RULE))
     names, harmonics = tuple(axis.name for axis in config.axes), harmonics_of(config, rule)
 
@@ -55,7 +55,7 @@ def _material(config: Config, inputs: Inputs) -> Material:
         weights = np.asarray(sampling.project_block(job).weights[0, 0])
         return fold(scene_of(config), weights, grid["degree"], values)
 
-    return Material(
+    return ReportData(
         name=config.name,
         basis=config.fit.basis,
         light=config.source,
