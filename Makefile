@@ -55,7 +55,7 @@ speed: .venv/run.stamp ## Release what `make bench` has measured of the default 
 	@.venv/bin/python -m skylight_sh.studies.claims write
 
 clean: ## Delete the environment, the store and all runs but the reference
-	rm -rf .venv artifacts build *.egg-info .mypy_cache .ruff_cache .hypothesis
+	rm -rf .venv artifacts build dist pipeline/*.egg-info .mypy_cache .ruff_cache .hypothesis
 	find reports -mindepth 1 -maxdepth 1 ! -name reference -exec rm -rf {} +
 	find . -name __pycache__ -prune -exec rm -rf {} +
 

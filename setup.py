@@ -1,5 +1,6 @@
 """What pyproject.toml cannot say: the folder ``configs/`` becomes ``skylight_sh/configs/`` of a built package."""
 
+import shutil
 from pathlib import Path
 
 from setuptools import setup
@@ -10,7 +11,9 @@ class BuildWithConfigs(build_py):
     """Copies the shipped configs and their pictures; an editable install reads them where they are."""
 
     def run(self) -> None:
-        """Build as usual, then copy."""
+        """Build as usual, from nothing, then copy: what an earlier build has left is no part of this one."""
+        if not self.editable_mode:
+            shutil.rmtree(Path(self.build_lib, "skylight_sh"), ignore_errors=True)
         super().run()
         if not self.editable_mode:
             self.mkpath(str(Path(self.build_lib, "skylight_sh", "configs")))

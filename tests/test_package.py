@@ -66,6 +66,9 @@ def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
         copy(ROOT / name, place / name)
     for cache in (place / "pipeline").rglob("__pycache__"):
         shutil.rmtree(cache)
+    # Of a module that is no more.
+    (place / "build" / "lib" / "skylight_sh").mkdir(parents=True)
+    (place / "build" / "lib" / "skylight_sh" / "gone.py").touch()
     command = [sys.executable, "-m", "pip", "wheel", *OFFLINE, "--no-build-isolation", "--wheel-dir", str(place / "out")]
     subprocess.run([*command, str(place)], check=True, capture_output=True)
     (found,) = (place / "out").glob("*.whl")
