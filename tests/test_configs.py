@@ -101,7 +101,7 @@ def test_a_shipped_config_runs(path: Path, place: Path) -> None:
         if row["name"].split("-bands-")[1].startswith(f"{100 * BUDGET:g}pct"):
             assert row["e_mean"] <= BUDGET
     for row in rows:
-        header_agrees(result.folder / row["path"], row.get("prefix", config.export.prefix))
+        header_agrees(result.folder / row["path"], row["prefix"])
 
 
 def files_of_the_contract(folder: Path, config: Config) -> None:

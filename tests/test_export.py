@@ -75,6 +75,10 @@ def drawn(table: Table, count: int, beyond: float = 0.0) -> NDArray[np.float32]:
     return np.stack(columns, axis=-1).astype(np.float32)
 
 
+def prefix_of(result: Result, name: str) -> str:
+    return next(str(row["prefix"]) for row in result.summary["tables"] if row["name"] == name)
+
+
 def exported(result: Result) -> dict[str, Path]:
     return {row["name"]: result.folder / row["path"] for row in result.summary["tables"]}
 
@@ -88,7 +92,7 @@ def test_header_agrees_with_the_runtime(
     folder = exported(small_run)[name]
     loaded = runtime.load(folder / "skylight_sh.npz")
     shape = (len(loaded.table.channels), loaded.table.bands**2)
-    driver = compiled(folder, tmp_path, 3, COMPILERS[language], [*STRICT, *more], "skylight_sh")
+    driver = compiled(folder, tmp_path, 3, COMPILERS[language], [*STRICT, *more], prefix_of(small_run, name))
 
     inputs = drawn(loaded.table, 1000)
     got, status = call(driver, inputs, 0, shape)
@@ -219,22 +223,6 @@ def test_one_band_compiles(tmp_path: Path, language: str) -> None:
     got, status = call(driver, np.array([[1.0, 0.3]], dtype=np.float32), 0, (1, 1))
     assert got[0, 0, 0] == pytest.approx(3.0)
     assert status == 0
-
-
-def test_two_tables_meet_in_one_program(small_run: Result, tmp_path: Path) -> None:
-    table = runtime.read(exported(small_run)["4-bands-1pct"] / "skylight_sh.npz")
-    for prefix in ("day_sh", "night_sh"):
-        (tmp_path / f"{prefix}.h").write_text(c_header.write(table, FACTS, prefix), encoding="utf-8")
-    unit = '#include "day_sh.h"\n#include "night_sh.h"\n#include "day_sh.h"\n'
-    for name, text in {
-        "a.c": "int a(float w[3][16]);\nint a(float w[3][16]) { return day_sh_weights(1, 0, 3, w); }\n",
-        "b.c": "int a(float w[3][16]);\nint main(void) { float w[3][16]; return a(w) + night_sh_weights(1, 0, 3, w); }\n",
-    }.items():
-        (tmp_path / name).write_text(unit + text, encoding="utf-8")
-    files = [str(tmp_path / "a.c"), str(tmp_path / "b.c")]
-    flags = ["-Wno-unused-function", "-I", str(tmp_path)]
-    subprocess.run(["gcc", "-std=c99", *STRICT, *flags, *files, "-o", str(tmp_path / "ab"), "-lm"], check=True)
-    assert subprocess.run([str(tmp_path / "ab")], check=False).returncode == 0
 
 
 @pytest.mark.parametrize("prefix", ["2x", "A", "a-b", "a b", "x" * 64, ""])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 import subprocess
 import tomllib
 from pathlib import Path
@@ -253,9 +254,11 @@ int main(void)
 
 @pytest.mark.parametrize("name", ["4-bands-1pct", "4-bands-1pct-packed", "3-bands-degrees-6-4-float64"])
 def test_gradient_batch_and_dominant_direction(small_run: Result, tmp_path: Path, name: str) -> None:
-    folder = small_run.folder / next(row["path"] for row in small_run.summary["tables"] if row["name"] == name)
+    row = next(row for row in small_run.summary["tables"] if row["name"] == name)
+    folder, prefix = small_run.folder / row["path"], row["prefix"]
     table = runtime.load(folder / "skylight_sh.npz")
-    (tmp_path / "g.c").write_text(PROGRAM.format(folder=folder), encoding="utf-8")
+    program = re.sub(r"\bskylight_sh_", f"{prefix}_", re.sub(r"\bSKYLIGHT_SH_", f"{prefix.upper()}_", PROGRAM))
+    (tmp_path / "g.c").write_text(program.format(folder=folder), encoding="utf-8")
     subprocess.run(["gcc", "-std=c99", *STRICT, str(tmp_path / "g.c"), "-o", str(tmp_path / "g"), "-lm"], check=True)
     out = subprocess.run([str(tmp_path / "g")], capture_output=True, text=True, check=True).stdout
     *gradient, x, y, z = [float(v) for v in out.split()]

@@ -108,7 +108,7 @@ def data(table: Table, luminance: Sequence[float]) -> Iterator[str]:
         yield f"#define {P}_REFLECTED {single(_REFLECTED)}"
         yield f"#define {P}_LOWER {_braced(map(single, lower_hemisphere(table.bands).tolist()))}"
     yield from _ranges(table)
-    yield from _rows(table, table.body) if isinstance(table.body, Rows) else _packed(table, table.body)
+    yield from _rows(table, table.body) if isinstance(table.body, Rows) else packed(table)
     for name in PARTS if table.surroundings else ():
         values = getattr(table.surroundings, name).ravel().tolist()
         if values:
@@ -187,7 +187,11 @@ def _stores(table: Table) -> Iterator[str]:
         yield f"BAND({l}, {' '.join(found)})"
 
 
-def _packed(table: Table, body: Packed) -> Iterator[str]:
+def packed(table: Table) -> Iterator[str]:
+    """Yield what is read of a packed table's body."""
+    body = table.body
+    if not isinstance(body, Packed):
+        raise TypeError(f"A table of layout {body.kind!r} has no stream.")
     yield ""
     yield from commented(
         "Runs of numbers, one a product of the other axes' functions, and their profiles; what one step is worth."

@@ -13,12 +13,11 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from skylight_sh import __version__
-from skylight_sh.export import c_comment, c_data, c_formulas, evaluators
+from skylight_sh.export import c_comment, c_data, c_formulas, evaluators, prefixes
 from skylight_sh.export.evaluators import part, renamed, wrapped
 from skylight_sh.runtime import Rows, Table
 from skylight_sh.table.size import bytes_of
 
-PREFIX = re.compile(r"[a-z][a-z0-9_]{0,62}")
 # What errors are fractions of, by the convention's name.
 _L_MIN = {"per-set": "least luminance of the same sky", "mean": "mean luminance of the same sky"}
 _P, _p = "SKYLIGHT_SH", "skylight_sh"
@@ -42,18 +41,12 @@ class Facts:
     luminance: Sequence[float] = ()
 
 
-def check_prefix(prefix: str) -> None:
-    """Raise ValueError for a prefix that is no C identifier of lower-case letters, digits and underscores."""
-    if not PREFIX.fullmatch(prefix):
-        raise ValueError(f"Invalid prefix {prefix!r}. Should be a lower-case C identifier of at most 63 characters.")
-
-
 def write(table: Table, facts: Facts, prefix: str = evaluators.PREFIX) -> str:
     """Return the text of the header of ``table``; every symbol starts with ``prefix``.
 
     Raises ValueError for a prefix that is no C identifier of lower-case letters, digits and underscores.
     """
-    check_prefix(prefix)
+    prefixes.check(prefix)
     unit, _ = c_comment.about(table)
     has = c_data.features(table)
     declared = [*c_data.facts(table, unit, facts.e_mean, facts.e_max), "", *_declarations(table)]
@@ -82,6 +75,28 @@ def write(table: Table, facts: Facts, prefix: str = evaluators.PREFIX) -> str:
     ]
     text = re.sub(r"\n{3,}", "\n\n", "\n".join(lines)).replace(f"prefix {_p}_ already", f"prefix {prefix} already")
     return wrapped("\n".join(_comment(table, facts, prefix)) + "\n" + renamed(text, prefix))
+
+
+def example(table: Table, twin: Table) -> str:
+    """Return ``evaluators/c/example.h``: what the evaluator's files read of ``table``, and of its packed ``twin``.
+
+    With it they compile as they stand.
+    """
+    lines = [
+        "/* What an export writes of one table, and beside it a packed table's stream: with it these files compile as they",
+        "   stand. Written by c_header.example. */",
+        "#pragma once",
+        '#include "linkage.h"',
+        "",
+        *(f"#define {_P}_{name} 1" for name in sorted(c_data.features(table))),
+        *c_data.facts(table, "cd/m2", 0.0, 0.0),
+        *c_data.data(table, ()),
+        *c_data.packed(twin),
+        "",
+        *c_formulas.functions(table),
+        *c_formulas.slopes(table),
+    ]
+    return wrapped("\n".join(lines).rstrip())
 
 
 def _parts(table: Table) -> list[str]:

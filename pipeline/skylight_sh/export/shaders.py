@@ -10,9 +10,9 @@ from itertools import product
 import numpy as np
 
 from skylight_sh import __version__, sphere
+from skylight_sh.export import prefixes
 from skylight_sh.export.c_comment import input_lines
 from skylight_sh.export.c_header import Facts
-from skylight_sh.export.c_header import check_prefix as check_identifier
 from skylight_sh.export.shader_dialects import DIALECTS, Dialect, check_prefix
 from skylight_sh.export.template import template
 from skylight_sh.formula import printers
@@ -54,7 +54,7 @@ def write(table: Table, facts: Facts, language: str, prefix: str = "skylight_sh"
     why = obstacle(table)
     if why or not isinstance(table.body, Rows):
         raise ValueError(f"This table cannot become a shader: {why}.")
-    check_identifier(prefix)
+    prefixes.check(prefix)
     check_prefix(prefix)
     dialect = DIALECTS[language]
     names = [axis.name for axis in table.axes]

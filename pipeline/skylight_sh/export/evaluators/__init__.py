@@ -17,7 +17,7 @@ COLUMNS = 100
 _CONDITION = re.compile(r"\s*(?://)?#if (!?)SKYLIGHT_SH_((?:HAS|IS|TAKES)_\w+)\s*$")
 _OPENING, _MIDDLE, _END = (re.compile(rf"\s*(?://)?#{word}") for word in ("if", "else", "endif"))
 # What a part asks for while it is read alone stands in an export already.
-_INCLUDED = re.compile(r'\s*#include "|import .* from "\./|export \{\};')
+_INCLUDED = re.compile(r'#include "|#pragma once|import .* from "\./')
 
 
 def part(path: str, features: Collection[str]) -> str:
@@ -74,20 +74,31 @@ def _broken(line: str, directive: bool) -> Iterator[str]:
     room = COLUMNS - (2 if directive else 0)
     while len(line) > COLUMNS:
         place = _place(line, room, len(indent) + len(start), whole=directive or inside)
+        if (place < 0 or place > room) and len(indent) > 4 and not inside:
+            # Rather to the left than too wide.
+            line, indent = f"    {line.lstrip()}", ""
+            continue
         if place < 0:
             break
         yield line[:place] + (" \\" if directive else "")
-        line = f"{indent}{start}{line[place + 1 :]}"
+        line = f"{indent}{start}{line[place:].lstrip()}"
     yield line
 
 
-def _place(line: str, room: int, least: int, whole: bool) -> int:
-    """Return the last blank within ``room`` that a line may end at: not in a string, but for those of directives."""
-    quoted, found, comma = False, -1, -1
-    for place, character in enumerate(line[: room + 1]):
-        if character == '"':
-            quoted = not quoted
-        elif character == " " and place > least and (whole or not quoted):
-            found, comma = place, place if line[place - 1] == "," else comma
-    # Rather behind an argument than within one, where half a line is left.
-    return comma if not whole and comma > room // 3 else found
+def _place(line: str, room: int, least: int, *, whole: bool) -> int:
+    """Return where a line ends: at a blank, else at a bracket, within ``room`` or as soon as may be; -1 nowhere.
+
+    Not inside a string, unless the ``whole`` line is text or a directive.
+    """
+    quoted = False
+    blanks, brackets = [], []
+    for place, character in enumerate(line):
+        quoted ^= character == '"'
+        if place > least and (whole or not quoted):
+            if character == " ":
+                blanks.append(place)
+            elif character == "[" or (line[place - 1] in "()" and (character.isalnum() or character == "_")):
+                brackets.append(place)
+    commas = [place for place in blanks if line[place - 1] == "," and not whole and room // 3 < place <= room]
+    within = commas or [p for p in blanks if p <= room] or [p for p in brackets if p <= room]
+    return within[-1] if within else min([*blanks, *brackets], default=-1)

@@ -8,8 +8,8 @@ from typing import Any
 
 from skylight_sh import __version__
 from skylight_sh.config.schema import Config
-from skylight_sh.config.wanted import wanted
-from skylight_sh.export import targets
+from skylight_sh.config.wanted import table_names, wanted
+from skylight_sh.export import prefixes, targets
 from skylight_sh.export.c_header import Facts
 from skylight_sh.fit.errors import published
 from skylight_sh.run.executors import Advance
@@ -29,6 +29,7 @@ def facts_of(config: Config, table: Table, measured: Dataset, name: str) -> dict
     return {
         "name": name,
         "path": place,
+        "prefix": prefixes.by_table(table_names(config), config.export.recommended, config.export.prefix)[name],
         "bands": table.bands,
         "dtype": str(table.dtype),
         "layout": table.body.kind,
@@ -73,7 +74,7 @@ def make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
             least=row["least"],
             luminance=config.source.luminance_row.tolist(),
         )
-        written = targets.write(config.export.targets, table, facts, config.export.prefix)
+        written = targets.write(config.export.targets, table, facts, row["prefix"])
         files |= {f"{row['path']}/{file}": data for file, data in written.items()}
     summary = {"config": whole_settings(config), "recommended": config.export.recommended, "tables": rows}
     files["summary.json"] = (json.dumps(summary, indent=2) + "\n").encode()

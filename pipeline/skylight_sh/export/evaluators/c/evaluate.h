@@ -1,3 +1,4 @@
+#pragma once
 #include "inputs.h"
 #if SKYLIGHT_SH_HAS_ROWS
 #include "rows.h"

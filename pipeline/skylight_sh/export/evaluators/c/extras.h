@@ -1,3 +1,4 @@
+#pragma once
 #include "example.h"
 #if SKYLIGHT_SH_HAS_DIRECTION
 

@@ -1,3 +1,4 @@
+#pragma once
 #include "evaluate.h"
 
 /* All products of `count` numbers and `size` functions, the functions' place fastest; returns how

@@ -1,3 +1,4 @@
+#pragma once
 #include "example.h"
 
 /* 0 for a finite number, 1 for an infinity, 2 for NaN: by its bits, so that -ffast-math cannot

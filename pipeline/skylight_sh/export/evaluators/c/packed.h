@@ -1,3 +1,4 @@
+#pragma once
 #include "turn.h"
 
 /* Reads the stream: whole numbers as Rice codes, low bit of each byte first. */

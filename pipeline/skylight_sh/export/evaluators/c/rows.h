@@ -1,3 +1,4 @@
+#pragma once
 #include "turn.h"
 
 /* sums[k] = sum over t of products[t] * row[t][k] for 4 * groups terms, four rows a pass: no
