@@ -61,7 +61,7 @@ def unread(image: str) -> NDArray[np.floating]:
 
 
 def test_every_kind_of_lamp_is_its_light_in_its_colours() -> None:
-    """A candela at 2 m is a quarter of a lux; a disc's weights are its radiance's; a spot's inner cone is a point's light."""
+    """A candela at 2 m is a quarter of a lux; a disc's weights are its radiance's; a spot's inner cone a point."""
     axis, bands, colour = towards(0.7, 0.3), 4, (4.0, 0.0, 2.5)
     place, pulse = tuple(2 * axis), basis(axis[np.newaxis], bands)[0]
     half = math.asin(0.25)
