@@ -229,6 +229,18 @@ def test_every_part_of_the_mathematics_names_its_module_and_source() -> None:
         assert "Source:" in opening, part[:60]
 
 
+def test_bits_are_those_of_the_code() -> None:
+    told = text(ROOT / "docs" / "mathematics.md").partition("## The same bits")[2]
+    rows = [
+        [cell.strip() for cell in line.strip("|").split("|")] for line in told.splitlines() if "bits" in line and "|" in line
+    ]
+    assert len(rows) > 7
+    for number, kept, where in rows:
+        source = text(PACKAGE / where.strip("`"))
+        for bits in re.findall(r"\b\d\d?\b(?= bits| \(float64)", kept):
+            assert re.search(rf"_BITS = .*\b{bits}\b|significant\(.*, {bits}\)", source), number
+
+
 def test_formulas_are_what_their_renderer_keeps() -> None:
     """It takes a backslash before punctuation away, and knows no ``operatorname``."""
     for page in DOCS:
