@@ -295,5 +295,6 @@ def test_names_of_axes_that_headers_use_are_refused(small_run: Result, tmp_path:
         header = c_header.write(with_spec(table, axes=axes, scale=None), FACTS)
         (tmp_path / f"{word}.c").write_text(f"{header}\nint main(void) {{ return 0; }}\n", encoding="utf-8")
     files = [str(tmp_path / f"{word}.c") for word in allowed]
-    done = subprocess.run(["gcc", "-std=c99", "-fsyntax-only", *files], capture_output=True, text=True, check=False)
-    assert done.stderr == ""
+    for compiler in (["gcc", "-std=c99"], ["g++", "-std=c++11", "-x", "c++"]):
+        done = subprocess.run([*compiler, "-fsyntax-only", *files], capture_output=True, text=True, check=False)
+        assert done.stderr == ""

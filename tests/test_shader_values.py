@@ -9,8 +9,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 import shader_tools
+from shader_tools import FACTS
 from skylight_sh import runtime, sphere
 from skylight_sh.export import shaders
+from skylight_sh.export.reserved import usable
 from skylight_sh.fit.axis import Axis
 from skylight_sh.formula.bases import BASES
 from skylight_sh.table.table import fast, specification
@@ -118,6 +120,22 @@ def test_bases_are_those_of_numpy(tmp_path: Path, name: str) -> None:
     for language in HEADS:
         got = image(shader_tools.program(table, language, inputs, directions()), tmp_path)
         assert got[:, 0, 0] == pytest.approx(expected @ numbers, abs=2e-6)
+
+
+def test_axes_of_any_usable_name_compile(tmp_path: Path) -> None:
+    """Those that occur in a shader among them."""
+    hour = Axis("hour", 0.0, 3.0, map="log", point=-0.5)
+
+    def text(name: str, prefix: str = "skylight_sh") -> str:
+        spec = specification((hour, Axis(name, 0.5, 1.0, map="cbrt", point=2.0)), ("one",), True, "chebyshev")
+        return shaders.write(fast(spec, np.ones((1, 4, 3, 2)), np.array([3, 2]), 2, "float32"), FACTS, "glsl", prefix)
+
+    words = sorted(set(re.findall(r"[a-z][a-z0-9_]+", re.sub(r"//[^\n]*|#[^\n]*", "", text("haze")))))
+    allowed = [word for word in words if usable(word) and not word.startswith("skylight")]
+    assert {"haze", "normal"} <= set(allowed)
+    assert {"weights", "row", "status", "clamp", "pow"} <= set(words) - set(allowed)
+    made = "\n".join(text(word, f"p{i}") for i, word in enumerate(allowed) if word != "hour")
+    run(TYPES + re.sub(r"= \w+\[\d+\]\(([^;]*)\);", r"= {\1};", made) + "\nint main() { return 0; }\n", tmp_path)
 
 
 def test_waves_are_cosine_and_sine_to_the_last_bits(tmp_path: Path) -> None:

@@ -1,7 +1,7 @@
 """Names that an axis cannot have: it becomes the name of a parameter in generated code and of a dimension in the store.
 
-C has one scope of ordinary identifiers a block, so a parameter must be no keyword, no other parameter, no library function
-that the code calls, and no local of the functions that take it.
+In C the axes are parameters of the public functions alone, which only hand them on: no local meets them there. A shader's
+one function works with them itself.
 """
 
 from __future__ import annotations
@@ -21,20 +21,18 @@ dynamic_cast explicit export false friend mutable namespace new noexcept not not
 protected public reinterpret_cast static_assert static_cast template this thread_local throw true try typeid typename using
 virtual wchar_t xor xor_eq
 """
-# What stands beside the axes in the functions that renderers call.
-PARAMETERS = ("sun_azimuth", "bands", "count", "weights", "gradient", "status", "normal", "direction")
+# What stands beside the axes in the public functions.
+_PARAMETERS = "bands count gradient sun_azimuth weights"
+# Locals of a shader's function, those with a number apart; what it calls, and words of the languages in it.
+_SHADER_LOCALS = "acc depth phi rest row scale status wave"
+_SHADER_WORDS = """
+abs array clamp cos exp f32 float2 float3 float4 floor fn function i32 in inout let log max min out pow ptr sin sqrt var vec2
+vec3 vec4
+"""
+_NUMBERED = re.compile(r"([a-z]|part_)\d+(_\d+)?")
 # Dimensions and variables of the truth in the store.
-_STORE = ("channel", "degree", "estimate", "least_luminance", "order", "set", "weight")
-_LIBRARY = """
-fabs fabsf log logf exp expf sin sinf cos cosf tan tanf sqrt sqrtf cbrt cbrtf memset memcpy memcmp
-"""
-# Locals that share a scope with the axes: those that carry a number, such as x0, a3_1 and fade2, and these.
-_NUMBERED = re.compile(r"([a-z]|fade)\d+(_\d+)?")
-_LOCALS = """
-scale transfer own below row wave depth rest wave_cos wave_sin line known acc phi from slope grown low high worst ready value
-lights fallen out sum in first last bits room body lower length luminance factor ratio
-"""
-NAMES = frozenset([*f"{_C} {_CPP} {_LIBRARY} {_LOCALS}".split(), *PARAMETERS, *_STORE])
+_STORE = "channel degree estimate least_luminance order set weight"
+NAMES = frozenset(" ".join((_C, _CPP, _PARAMETERS, _SHADER_LOCALS, _SHADER_WORDS, _STORE)).split())
 
 
 def usable(name: str) -> bool:
