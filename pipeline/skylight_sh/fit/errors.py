@@ -92,7 +92,11 @@ def e_mean(residual: Array, l_min: Array) -> float:
 
 
 def e_means(residual: Array, l_min: Array) -> Array:
-    """Return each set's and channel's E_mean (eq. 3), ``(n, channels)``; arguments as ``e_mean``."""
+    """Return each set's and channel's E_mean (eq. 3), ``(n, channels)``; arguments as ``e_mean``.
+
+    >>> e_means(np.array([[[3.0, 4.0]]]), np.array([10.0])).tolist()
+    [[0.5]]
+    """
     return np.asarray(norms(residual) / l_min[:, np.newaxis])
 
 

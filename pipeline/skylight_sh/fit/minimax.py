@@ -86,7 +86,12 @@ def _solved(gram: Array, right: Array) -> Array:
 
 
 def metric(sampled: Sampled, importance: Array) -> Metric:
-    """Build the metric of ``sum importance * error**2``; ``importance`` ``(n, channels)`` sums to 1."""
+    """Build the metric of ``sum importance * error**2``; ``importance`` ``(n, channels)`` sums to 1.
+
+    >>> normal = metric(Sampled(np.eye(2), np.ones((2, 1, 1))), np.full((2, 1), 0.5))
+    >>> normal.gram.round(6).tolist(), normal.right.tolist()
+    ([[[0.5, 0.0], [0.0, 0.5]]], [[[0.5, 0.5]]])
+    """
     terms = sampled.basis.shape[1]
     grams = np.empty((importance.shape[1], terms, terms))
     right = np.empty((*sampled.truth.shape[1:], terms))

@@ -24,7 +24,11 @@ def waves(cosine: Any, sine: Any, bands: int) -> tuple[list[Any], list[Any]]:
 
 
 def waves_of_angle(bands: int) -> Program:
-    """Return the program of an azimuth: all cosines, then all sines."""
+    """Return the program of an azimuth: all cosines, then all sines.
+
+    >>> [round(float(wave), 4) for wave in waves_of_angle(2).run([1.0])]
+    [1.0, 0.5403, 0.0, 0.8415]
+    """
     return trace(lambda azimuth: [wave for part in waves(cos(azimuth), sin(azimuth), bands) for wave in part], ["azimuth"])
 
 

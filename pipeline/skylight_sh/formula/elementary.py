@@ -40,12 +40,20 @@ def cos(x: Number) -> Number:
 
 
 def sqrt(x: Number) -> Number:
-    """Return the square root."""
+    """Return the square root.
+
+    >>> float(sqrt(9.0))
+    3.0
+    """
     return _apply("sqrt", x)
 
 
 def cbrt(x: Number) -> Number:
-    """Return the cube root of a number of at least 0."""
+    """Return the cube root of a number of at least 0.
+
+    >>> float(cbrt(8.0))
+    2.0
+    """
     return _apply("cbrt", x)
 
 

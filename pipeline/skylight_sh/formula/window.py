@@ -10,7 +10,11 @@ from skylight_sh.formula.expression import trace
 
 
 def sinc(share: Any) -> Any:
-    """Return ``sin(x) / x``, x = pi ``share``, which is not 0: the factor of the zonal weight of degree ``share`` N."""
+    """Return ``sin(x) / x``, x = pi ``share``, which is not 0: the factor of the zonal weight of degree ``share`` N.
+
+    >>> round(float(sinc(0.5)), 4)
+    0.6366
+    """
     x = label(pi * share, "x")
     return sin(x) / x
 

@@ -75,7 +75,14 @@ def fit(
     solver: str,
     scale: Scale | None,
 ) -> GridFit:
-    """Fit ``samples`` as ``system`` sets it up. Raises LinAlgError where the solver gives up, ValueError for another one."""
+    """Fit ``samples`` as ``system`` sets it up. Raises LinAlgError where the solver gives up, ValueError for another one.
+
+    >>> axis = Axis("height", 0.0, 1.0)
+    >>> nodes = [axis.fit_nodes(3, "chebyshev")]
+    >>> samples = (1.0 + nodes[0])[:, np.newaxis, np.newaxis]
+    >>> fit(samples, (axis,), nodes, (1,), "chebyshev", TENSOR, None).dense.round(12).tolist()
+    [[[1.5, 0.5]]]
+    """
     right, matrices = system(samples, axes, nodes, degrees, basis, scale)
     if solver == TENSOR:
         solution = least_squares.fit_tensor(right, matrices)

@@ -58,7 +58,11 @@ def reciprocal(coefficients: Floats, axes: Sequence[Axis]) -> Scale:
 
 
 def evaluate(scale: Scale | None, values: Floats) -> Floats:
-    """Return the factor at parameter sets ``(n, axes)``, shape ``(n,)``, in their dtype; ones where there is none."""
+    """Return the factor at parameter sets ``(n, axes)``, shape ``(n,)``, in their dtype; ones where there is none.
+
+    >>> evaluate(None, np.zeros((2, 1))).tolist()
+    [1.0, 1.0]
+    """
     if scale is None:
         return np.ones(len(values), dtype=values.dtype)
     found = scale.program.run([np.ascontiguousarray(values[:, i]) for i in range(values.shape[1])])[0]
@@ -66,7 +70,11 @@ def evaluate(scale: Scale | None, values: Floats) -> Floats:
 
 
 def numbers(scale: Scale | None) -> int:
-    """Return how many numbers an evaluation of the factor reads, those that stand in a closed form itself included."""
+    """Return how many numbers an evaluation of the factor reads, those that stand in a closed form itself included.
+
+    >>> numbers(None)
+    0
+    """
     if scale is None:
         return 0
     return len(scale.program.constants) + (scale.program.literals if scale.kind == CLOSED_FORM else 0)

@@ -130,6 +130,10 @@ def groups(requests: Sequence[Request]) -> list[list[Request]]:
     """Return the requests with a budget or a size by bands, number type and limit: each group is one worker's.
 
     The hardest come first, so that no worker waits long for the other's last one.
+
+    >>> asked = [Request("loose", 4, budget=0.1), Request("tight", 7, budget=0.01)]
+    >>> [[request.name for request in group] for group in groups(asked)]
+    [['tight'], ['loose']]
     """
     found: dict[tuple[int, str, float], list[Request]] = {}
     for request in requests:

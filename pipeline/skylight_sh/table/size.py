@@ -13,6 +13,12 @@ def bytes_of(table: Table, bands: int | None = None) -> int:
     """Return the size of what the first ``bands`` bands read, or all: coefficients, lengths, axes, factor, numbers in code.
 
     A table of fewer bands is a prefix of this one; surroundings read all bands, whatever is asked for.
+
+    >>> from skylight_sh.fit.axis import Axis
+    >>> from skylight_sh.table import table as tables
+    >>> spec = tables.specification([Axis("height", 0.0, 1.0)], ("luminance",), True, "chebyshev")
+    >>> bytes_of(tables.whole(spec, np.ones((1, 1, 3)), 1, "float32"))  # 3 rows of 8, range and map, length, width
+    114
     """
     spec, body, around = table.spec, table.body, table.surroundings
     bands = table.bands if around or bands is None else bands

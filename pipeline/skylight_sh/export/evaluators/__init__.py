@@ -47,7 +47,11 @@ def _kept(lines: list[str], features: Collection[str]) -> Iterator[str]:
 
 
 def renamed(text: str, prefix: str) -> str:
-    """Return ``text`` with every name under ``prefix`` instead."""
+    """Return ``text`` with every name under ``prefix`` instead.
+
+    >>> renamed("skylight_sh_weights SKYLIGHT_SH_BANDS", "sky")
+    'sky_weights SKY_BANDS'
+    """
     text = re.sub(rf"\b{PREFIX}_", f"{prefix}_", text)
     return re.sub(rf"\b{PREFIX.upper()}_", f"{prefix.upper()}_", text)
 
