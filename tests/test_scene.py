@@ -195,7 +195,9 @@ def test_ground_is_folded_and_lessens_ringing(tmp_path: Path, plain: runtime.Run
     least = next(row["least"] for row in result.summary["tables"] if row["path"] == "export")
     assert least > -0.12
     header = (result.folder / "export" / "skylight_sh.h").read_text(encoding="utf-8")
-    assert ("mirror image" if "mirror" in ground else "albedo 0.1, 0.2, 0.3") in header
+    # The comment may break its lines anywhere.
+    words = " ".join(header.replace("\n *", " ").split())
+    assert ("mirror image" if "mirror" in ground else "albedo 0.1, 0.2, 0.3") in words
 
 
 @pytest.mark.parametrize("scene", ["ground = [0.1, 0.2, 0.3]", 'quantity = "irradiance"', "twilight = true"])
