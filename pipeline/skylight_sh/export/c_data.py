@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 import numpy as np
 
 from skylight_sh import __version__
-from skylight_sh.export.evaluators import commented
+from skylight_sh.export.evaluators import commented, filled
 from skylight_sh.formula.expression import composed, with_derivatives
 from skylight_sh.formula.printers import C_DOUBLE, C_SINGLE, Language
 from skylight_sh.formula.printers import double as exact
@@ -213,18 +213,6 @@ def _array(head: str, items: Iterable[str], count: int) -> Iterator[str]:
     yield f"{head}[{count}] = {{"
     yield from filled(items)
     yield "};"
-
-
-def filled(items: Iterable[str], columns: int = 96) -> Iterator[str]:
-    """Yield the lines of a list's items, as many a line as fit."""
-    line = ""
-    for item in items:
-        if line and len(line) + len(item) + 3 > columns:
-            yield f"    {line},"
-            line = item
-        else:
-            line = f"{line}, {item}" if line else item
-    yield f"    {line}"
 
 
 def _list(head: str, items: Iterable[str]) -> Iterator[str]:

@@ -21,6 +21,11 @@ dynamic_cast explicit export false friend mutable namespace new noexcept not not
 protected public reinterpret_cast static_assert static_cast template this thread_local throw true try typeid typename using
 virtual wchar_t xor xor_eq
 """
+# What ECMA-262, 12.7.2, adds for modules.
+_JAVASCRIPT = """
+arguments async await debugger eval extends finally function implements import in instanceof interface let null of package
+super typeof var with yield
+"""
 # What stands beside the axes in the public functions.
 _PARAMETERS = "bands count gradient sun_azimuth weights"
 # Locals of a shader's function, those with a number apart; what it calls, and words of the languages in it.
@@ -32,7 +37,7 @@ vec3 vec4
 _NUMBERED = re.compile(r"([a-z]|part_)\d+(_\d+)?")
 # Dimensions and variables of the truth in the store.
 _STORE = "channel degree estimate least_luminance order set weight"
-NAMES = frozenset(" ".join((_C, _CPP, _PARAMETERS, _SHADER_LOCALS, _SHADER_WORDS, _STORE)).split())
+NAMES = frozenset(" ".join((_C, _CPP, _JAVASCRIPT, _PARAMETERS, _SHADER_LOCALS, _SHADER_WORDS, _STORE)).split())
 
 
 def usable(name: str) -> bool:

@@ -61,6 +61,11 @@ C_DOUBLE = Language(
     functions={name: f"{name}({{x}})" for name in _C_FUNCTIONS},
     declare=lambda name, value: f"const double {name} = {value};",
 )
+JAVASCRIPT = Language(
+    number=double,
+    functions={name: f"Math.{name}({{x}})" for name in _C_FUNCTIONS},
+    declare=lambda name, value: f"const {name} = {value};",
+)
 
 
 def statements(program: Program, language: Language, inputs: Sequence[str]) -> tuple[list[str], list[str]]:

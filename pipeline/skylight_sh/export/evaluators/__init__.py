@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 import textwrap
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from importlib.resources import files
 
 PREFIX = "skylight_sh"
@@ -59,6 +59,18 @@ def renamed(text: str, prefix: str) -> str:
 def commented(text: str) -> Iterator[str]:
     """Yield the lines of a comment."""
     yield from textwrap.wrap(f"/* {text} */", COLUMNS - 24, subsequent_indent="   ", break_on_hyphens=False)
+
+
+def filled(items: Iterable[str], columns: int = 96) -> Iterator[str]:
+    """Yield the lines of a list's items, as many a line as fit."""
+    line = ""
+    for item in items:
+        if line and len(line) + len(item) + 3 > columns:
+            yield f"    {line},"
+            line = item
+        else:
+            line = f"{line}, {item}" if line else item
+    yield f"    {line}"
 
 
 def wrapped(text: str) -> str:

@@ -1,0 +1,143 @@
+"""JavaScript: the exported module by Node against the vectors that hold the C header, and what it tells of itself."""
+
+from __future__ import annotations
+
+import json
+import re
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+from c_programs import FACTS
+from conftest import ROOT, SMALL, run_quietly
+from skylight_sh import runtime, sphere
+from skylight_sh.config import load
+from skylight_sh.export import javascript, vectors
+from skylight_sh.studies.stability.flavours import flavours
+from test_export import with_spec
+
+PARTS = ROOT / "pipeline" / "skylight_sh" / "export" / "evaluators" / "javascript"
+REFERENCE = ROOT / "reports" / "reference" / "export"
+FLAVOURS = flavours()
+TABLES = {
+    **FLAVOURS,
+    "fixed": with_spec(FLAVOURS["rows"], azimuth=0.7),
+    "windowed": with_spec(FLAVOURS["rows"], windowed=True),
+    "irradiance": with_spec(FLAVOURS["one-axis"]),
+}
+# Holds a module against its vectors, cut to every number of bands too, and prints how many failed and the largest deviation.
+PROGRAM = """
+import { readFileSync } from "node:fs";
+import * as sky from "./skylight_sh.mjs";
+const words = readFileSync("vectors.txt", "utf8").split(/\\s+/);
+const about = {};
+for (let k = 0; k < 14; k += 2) about[words[k]] = Number(words[k + 1]);
+const number = (word) => ({ nan: NaN, inf: Infinity, "-inf": -Infinity })[word] ?? Math.fround(Number(word));
+let at = 14, failed = 0, furthest = 0;
+for (let v = 0; v < about.vectors; ++v) {
+  const read = (count) => { const part = words.slice(at, at + count).map(number); at += count; return part; };
+  const inputs = read(about.inputs), [status] = read(1), expected = read(about.channels * about.weights);
+  let bad = sky.status(...inputs) !== status;
+  for (let bands = 0; bands <= sky.BANDS; ++bands) {
+    const got = bands ? sky.weightsBands(...inputs, bands) : sky.weights(...inputs);
+    const used = (bands || sky.BANDS) ** 2;
+    got.forEach((value, k) => {
+      const wanted = k % about.weights < used ? expected[k] : 0;
+      const off = Math.abs(value - wanted) / about.largest;
+      bad ||= !(off <= about.bound);
+      furthest = Math.max(furthest, off);
+    });
+  }
+  if (bad) ++failed;
+}
+console.log(JSON.stringify({ count: about.vectors, failed, furthest, names: Object.keys(sky).sort() }));
+"""
+
+
+def node(folder: Path, program: str) -> str:
+    (folder / "program.mjs").write_text(program, encoding="utf-8")
+    done = subprocess.run(["node", "program.mjs"], cwd=folder, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+@pytest.mark.tools
+@pytest.mark.parametrize("name", TABLES)
+def test_node_agrees_with_the_vectors(tmp_path: Path, name: str) -> None:
+    table = TABLES[name]
+    # Vectors are weights of all bands: a window would follow the cut.
+    program = PROGRAM.replace("bands <= sky.BANDS", "bands <= 0") if table.spec.windowed or table.surroundings else PROGRAM
+    (tmp_path / "skylight_sh.mjs").write_text(javascript.write(table, FACTS), encoding="utf-8")
+    (tmp_path / "vectors.txt").write_text(vectors.write(table), encoding="utf-8")
+    found = json.loads(node(tmp_path, program))
+    assert found["failed"] == 0, found
+    assert found["furthest"] < vectors.BOUND
+    assert found["count"] > 100
+    constants = {"AXES", "BANDS", "CHANNELS", "CLAMPED", "INVALID", "OK", "UNIT", "WEIGHTS"}
+    functions = {"status", "weights", "weightsBands", *([] if table.spec.windowed else ["applyWindow"])}
+    assert set(found["names"]) == constants | functions
+
+
+@pytest.mark.tools
+@pytest.mark.parametrize("name", ["surrounded", "windowed"])
+def test_node_cuts_bands_as_the_runtime_does(tmp_path: Path, name: str) -> None:
+    table = TABLES[name]
+    (tmp_path / "skylight_sh.mjs").write_text(javascript.write(table, FACTS), encoding="utf-8")
+    text = 'import * as sky from "./skylight_sh.mjs";\nconsole.log([...sky.weightsBands(0.8, 0.3, 3.0, 2)].join(" "));\n'
+    got = np.array(node(tmp_path, text).split(), dtype=float).reshape(len(table.channels), -1)
+    expected = runtime.Runtime(table).weights(0.8, 0.3, 3.0, bands=2)
+    assert np.abs(got[:, :4] - expected).max() < 2e-6 * np.abs(expected).max()
+    assert not got[:, 4:].any()
+
+
+@pytest.mark.tools
+def test_node_windows_and_fills(tmp_path: Path) -> None:
+    table = FLAVOURS["rows"]
+    (tmp_path / "skylight_sh.mjs").write_text(javascript.write(table, FACTS), encoding="utf-8")
+    text = """import * as sky from "./skylight_sh.mjs";
+const own = new Float32Array(sky.CHANNELS.length * sky.WEIGHTS);
+if (sky.weights(0.8, 0.3, 3.0, own) !== own) throw new Error("another array");
+console.log([...sky.applyWindow(own)].join(" "));
+console.log(JSON.stringify([sky.AXES, sky.UNIT, sky.status(9, 0, 3), sky.status(1, Infinity, 3)]));
+"""
+    first, second = node(tmp_path, text).splitlines()
+    expected = runtime.Runtime(table).weights(0.8, 0.3, 3.0) * sphere.zonal_sinc(7)
+    assert np.array(first.split(), dtype=float) == pytest.approx(expected.ravel(), abs=2e-6 * np.abs(expected).max())
+    axes, unit, *status = json.loads(second)
+    assert [axis["name"] for axis in axes] == ["sun_zenith", "turbidity"]
+    assert (axes[1]["min"], axes[1]["max"], unit, status) == (2.5, 6.0, "cd/m2", [1, 2])
+
+
+@pytest.mark.tools
+def test_the_evaluator_runs_as_it_stands(tmp_path: Path) -> None:
+    """Beside the table in ``example.mjs`` its parts are a module without an export."""
+    assert (PARTS / "example.mjs").read_text(encoding="utf-8") == javascript.example(
+        FLAVOURS["surrounded"], FLAVOURS["twilight-packed"]
+    )
+    text = f"""import {{ evaluateTable }} from "{PARTS / "evaluate.mjs"}";
+import "{PARTS / "packed.mjs"}";
+const out = new Float32Array(27);
+console.log(evaluateTable([0.8, 3], 0.3, 3, out), [...out].join(" "));
+"""
+    status, *numbers = map(float, node(tmp_path, text).split())
+    expected = runtime.Runtime(FLAVOURS["surrounded"]).weights(0.8, 0.3, 3.0)
+    assert status == 0
+    assert numbers == pytest.approx(expected.ravel().tolist(), abs=2e-6 * float(np.abs(expected).max()))
+
+
+def test_a_module_is_plain_text_of_readable_width() -> None:
+    for table in TABLES.values():
+        text = javascript.write(table, FACTS)
+        assert max(map(len, text.splitlines())) <= 120
+        assert not re.search(r"^import |example\.mjs", text, re.MULTILINE)
+        assert javascript.write(table, FACTS) == text
+
+
+def test_a_run_writes_the_module(tmp_path: Path) -> None:
+    asked = '[export]\ntargets = ["c", "npz", "javascript"]'
+    text = SMALL.read_text(encoding="utf-8").replace("[export]", asked)
+    (tmp_path / "asked.toml").write_text(text, encoding="utf-8")
+    result = run_quietly(load(tmp_path / "asked.toml"), tmp_path)
+    for row in result.summary["tables"]:
+        assert "CC0-1.0" in (result.folder / row["path"] / "skylight_sh.mjs").read_text(encoding="utf-8")
