@@ -11,6 +11,7 @@ from skylight_sh.config.schema import AxisSection, Config
 from skylight_sh.config.wanted import table_names
 from skylight_sh.export import reserved
 from skylight_sh.export.targets import ALWAYS
+from skylight_sh.formula.bases import BASES
 from skylight_sh.light.preetham import Preetham
 
 # A run's length has five bits.
@@ -132,7 +133,7 @@ def _fit(config: Config) -> Iterator[Problem]:
         yield Problem("$.fit.prefactor", fit.prefactor, 'The search needs basis = "chebyshev". Use true or false.')
     if fit.solver == "normal" and fit.basis == "chebyshev":
         yield Problem("$.fit.solver", fit.solver, 'Normal equations are for basis = "monomial". Use solver = "svd".')
-    if fit.basis != "chebyshev" and any(axis.degrees[0] != axis.degrees[1] for axis in config.axes):
+    if any(axis.degrees[0] != axis.degrees[1] for axis in config.axes) and not BASES[fit.basis].nested:
         yield Problem(
             "$.fit.basis", fit.basis, 'Only nested bases are swept. Use "chebyshev", or degrees = [d, d] on every axis.'
         )
@@ -165,7 +166,7 @@ def _winners(config: Config) -> Iterator[Problem]:
             yield Problem(
                 f"{path}.layouts", list(winner.layouts), 'Packed tables need budgets and dtype = "float32". Use ["rows"].'
             )
-        if (winner.budgets or winner.sizes) and config.fit.basis != "chebyshev":
+        if (winner.budgets or winner.sizes) and not BASES[config.fit.basis].nested:
             yield Problem(f"{path}.budgets", list(winner.budgets), 'Budgets need basis = "chebyshev"; give degrees instead.')
 
 
