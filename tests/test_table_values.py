@@ -15,7 +15,7 @@ from skylight_sh.scene import surroundings
 from skylight_sh.scene.surroundings import Clouds
 from skylight_sh.table import bits, packed, prefactor, rows, twilight
 from skylight_sh.table.prefactor import closed_form, reciprocal
-from skylight_sh.table.row_layout import Layout, carried, layout
+from skylight_sh.table.row_layout import carried, layout
 from skylight_sh.table.size import bytes_of, coefficients_of
 from skylight_sh.table.surroundings import gain
 from skylight_sh.table.table import fast, float32_limits, small, specification

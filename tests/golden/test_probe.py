@@ -149,8 +149,8 @@ def test_faces_are_those_of_a_box() -> None:
 def test_a_texel_resolves_one_band_over_half_a_turn() -> None:
     """Nyquist: N bands have N - 1 waves around, so that as many texels as bands over half a turn are two a wave."""
     for layout, height, width, most in (("equirect", 20, 40, 20), ("angular", 20, 20, 10), ("cube-strip", 9, 54, 18)):
-        assert layouts.most_bands(layouts.patches(layout, height, width)) == most
-    assert layouts.most_bands(layouts.patches("equirect", 512, 1024)) == 100
+        assert layouts.most_bands(layout, height, width) == most
+    assert layouts.most_bands("equirect", 512, 1024) == 100
 
 
 def test_panoramas_are_tone_mapped_as_stated() -> None:

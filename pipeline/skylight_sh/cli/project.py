@@ -4,23 +4,31 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import click
 
 from skylight_sh import UserError
 from skylight_sh.cli import warn
 from skylight_sh.cli.evaluate import show_weights
-from skylight_sh.probe.layouts import LAYOUTS
+from skylight_sh.probe.image_layouts import IMAGE_LAYOUTS
 
-if TYPE_CHECKING:
-    from skylight_sh.probe import Layout
+_HELP = """Print the SH weights of captured light from IMAGE: OpenEXR, Radiance HDR, PNG, JPEG or TIFF.
+
+The picture is seen from inside: +x ahead, +z up, -y to the right. Layouts:
+
+\b
+{layouts}
+
+Example: skylight-sh project probe.exr --bands 5 --blur 10
+"""
 
 
-@click.command()
+@click.command(help=_HELP.format(layouts="\n".join(f"{name}: {IMAGE_LAYOUTS.about(name)}" for name in IMAGE_LAYOUTS)))
 @click.argument("image", type=click.Path(path_type=Path))
 @click.option(
-    "--layout", type=click.Choice(LAYOUTS), help="How the picture covers the sphere; if left out, by its proportions."
+    "--layout",
+    type=click.Choice(list(IMAGE_LAYOUTS)),
+    help="How the picture covers the sphere; if left out, by its proportions.",
 )
 @click.option("--bands", type=int, required=True, help="SH bands, at least 1 and no more than the texels resolve.")
 @click.option(
@@ -28,15 +36,8 @@ if TYPE_CHECKING:
 )
 @click.option("--linear", is_flag=True, help="Take whole-number pixels (PNG, JPEG) as linear, not as sRGB.")
 @click.option("--json", "as_json", is_flag=True, help="Print JSON instead of a table.")
-def project(image: Path, layout: Layout | None, bands: int, blur: float, linear: bool, as_json: bool) -> None:
-    """Print the SH weights of captured light from IMAGE: OpenEXR, Radiance HDR, PNG, JPEG or TIFF.
-
-    The picture is seen from inside: +x ahead, +z up, -y to the right. angular: a light probe, 1:1. cube-cross: 4:3, left,
-    front, right, back, or 3:4 with the back below, upside down. cube-strip: right, left, up, down, front, back, 6:1 or 1:6.
-    equirect: 2:1, +x in the middle.
-
-    Example: skylight-sh project probe.exr --bands 5 --blur 10
-    """
+def project(image: Path, layout: str | None, bands: int, blur: float, linear: bool, as_json: bool) -> None:
+    """Print the SH weights of captured light."""
     from skylight_sh import probe
     from skylight_sh.probe import files
 

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from typing import Annotated
+
 from pydantic import Field
 
+from skylight_sh.config.choices import OneOf
 from skylight_sh.config.section import Section
-from skylight_sh.probe.layouts import Layout
+from skylight_sh.probe.image_layouts import IMAGE_LAYOUTS
 from skylight_sh.scene.lamps import Colour, Radius, Vector
 
 
@@ -13,7 +16,7 @@ class CloudsSection(Section):
     """Clouds from a picture: white is opaque, black is clear."""
 
     image: str = Field(min_length=1, description="path of a picture from the config's folder, in it or below")
-    layout: Layout = Field(description="how the picture covers the sphere: angular, cube-cross, cube-strip or equirect")
+    layout: Annotated[str, OneOf(IMAGE_LAYOUTS, "how the picture covers the sphere")]
     colour: Colour = Field(description="the clouds' own radiance in cd/m2, a number for each channel")
     opacity: float = Field(1.0, ge=0.0, le=1.0, description="what the picture is multiplied with, 0 to 1")
 

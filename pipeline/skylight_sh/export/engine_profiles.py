@@ -23,7 +23,7 @@ from typing import Literal
 Quantity = Literal["radiance", "radiance/pi", "irradiance", "irradiance/pi", "irradiance/pi, scaled"]
 # The order of the numbers: all weights of red, then green, then blue; or red, green and blue of each weight in turn,
 # as triples, in one flat list, or as lines of text.
-Layout = Literal["planar", "triples", "flat", "lines"]
+Arrangement = Literal["planar", "triples", "flat", "lines"]
 
 Y_UP_RIGHT = "x=+x,y=-z,z=+y"
 Y_UP_LEFT = "x=+x,y=+z,z=+y"
@@ -44,7 +44,7 @@ class Profile:
     quantity: Quantity
     condon_shortley: bool
     axes: str
-    layout: Layout
+    layout: Arrangement
     bands: tuple[int, int] = (3, 3)
     keys: tuple[str, ...] = ()
     around: dict[str, object] = field(default_factory=dict)

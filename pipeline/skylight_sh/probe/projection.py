@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 
 from skylight_sh import sphere
 from skylight_sh.probe.charts import Chart
-from skylight_sh.probe.layouts import Layout, Patch, most_bands, patches
+from skylight_sh.probe.image_layouts.protocol import Patch
+from skylight_sh.probe.layouts import most_bands, patches
 
 Array = NDArray[np.float64]
 
@@ -17,7 +18,7 @@ Array = NDArray[np.float64]
 _BLOCK = 4_000_000
 
 
-def project(image: NDArray[np.floating], layout: Layout, bands: int, *, signed: bool = False) -> Array:
+def project(image: NDArray[np.floating], layout: str, bands: int, *, signed: bool = False) -> Array:
     """Return the weights ``(channels, N*N)`` of a picture ``(height, width, channels)`` of linear radiance.
 
     A texel stands for the mean radiance over its solid angle, which is exact (``charts``). Taken as a constant there it
@@ -33,7 +34,7 @@ def project(image: NDArray[np.floating], layout: Layout, bands: int, *, signed: 
     if image.ndim != 3 or image.shape[-1] < 1:
         raise ValueError(f"Invalid picture of shape {image.shape}. Should be (height, width, channels).")
     found = patches(layout, image.shape[0], image.shape[1])
-    most = most_bands(found)
+    most = most_bands(layout, *image.shape[:2])
     if not 1 <= bands <= most:
         raise ValueError(
             f"Invalid number of bands {bands}. Should be from 1 to {most} for a {layout} picture of "

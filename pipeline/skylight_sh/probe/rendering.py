@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from skylight_sh import sphere
 from skylight_sh.probe.charts import Chart
-from skylight_sh.probe.layouts import Layout, patches
+from skylight_sh.probe.layouts import patches
 
 if TYPE_CHECKING:
     from skylight_sh.light.protocol import Light, Parameters
@@ -21,7 +21,7 @@ Array = NDArray[np.float64]
 _BLOCK = 64_000
 
 
-def render(light: Light, parameters: Parameters, layout: Layout, height: int, width: int, *, nodes: int = 2) -> Array:
+def render(light: Light, parameters: Parameters, layout: str, height: int, width: int, *, nodes: int = 2) -> Array:
     """Return the picture ``(height, width, channels)`` of a light over a black lower hemisphere, in the light's unit.
 
     Each texel holds the mean radiance over its solid angle: ``nodes`` x ``nodes`` Gauss-Legendre points in the chart's

@@ -12,7 +12,7 @@ from skylight_sh.config.problem import Problem, refusal
 from skylight_sh.config.schema import Config
 from skylight_sh.config.surroundings_schema import CloudsSection
 from skylight_sh.probe import files
-from skylight_sh.probe.layouts import most_bands, patches
+from skylight_sh.probe.layouts import most_bands
 from skylight_sh.run.steps import surroundings_bands
 from skylight_sh.scene.lamps import Lamp, Probe
 from skylight_sh.scene.surroundings import mask_bands
@@ -57,7 +57,7 @@ def _picture(config: Config, path: str, section: CloudsSection | Probe, needed: 
     try:
         place = config.file(section.image)
         pixels = files.read_mask(place) if isinstance(section, CloudsSection) else files.read(place).pixels
-        most = most_bands(patches(section.layout, *pixels.shape[:2]))
+        most = most_bands(section.layout, *pixels.shape[:2])
         if isinstance(section, Probe):
             # Finds pixels that are none.
             section.weights(1, lambda _: pixels)

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from skylight_sh import probe, sphere
 from skylight_sh.light import spherical_lights
 from skylight_sh.light.protocol import OPTIONS
-from skylight_sh.probe.layouts import Layout
+from skylight_sh.probe.image_layouts import IMAGE_LAYOUTS
 
 Array = NDArray[np.float64]
 # Reads a picture by its path: linear pixels ``(rows, columns, channels)``.
@@ -195,12 +195,16 @@ class Probe:
     """probe"""
     image: Annotated[str, MinLen(1)]
     """path of a picture from the config's folder, in it or below"""
-    layout: Layout
-    """how the picture covers the sphere: angular, cube-cross, cube-strip or equirect"""
+    layout: Annotated[str, MinLen(1)]
+    """how the picture covers the sphere, as the clouds' layout"""
     brightness: Annotated[float, Ge(0.0), Le(1e12)] = 1.0
     """cd/m2 of a pixel of value 1"""
     blur: Annotated[float, Ge(0.0), Le(_PI)] = 0.0
     """Gaussian pre-filter, standard deviation in radians"""
+
+    def __post_init__(self) -> None:
+        if self.layout not in IMAGE_LAYOUTS:
+            raise ValueError(f"Invalid layout {self.layout!r}. Should be one of {', '.join(IMAGE_LAYOUTS)}.")
 
     @property
     def colour(self) -> tuple[float, ...]:

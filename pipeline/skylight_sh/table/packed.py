@@ -39,7 +39,7 @@ _STEPS = np.array([0, -1, 1, -2, 2])
 
 
 @dataclass(frozen=True)
-class _Layout:
+class _Runs:
     """Numbers to write, flat, with each one's band, place in the run, rest and channel; and the runs' lengths."""
 
     folded: Index
@@ -60,7 +60,7 @@ def lengths_of(numbers: Index) -> Index:
     return np.where(kept.any(axis=2), numbers.shape[2] - np.argmax(kept[:, :, ::-1], axis=2), 0)
 
 
-def _lay_out(numbers: Index, degrees: Index) -> _Layout:
+def _lay_out(numbers: Index, degrees: Index) -> _Runs:
     first = numbers.shape[2]
     lengths = lengths_of(numbers)
     # Products of powers that no weight uses are not part of the table.
@@ -68,7 +68,7 @@ def _lay_out(numbers: Index, degrees: Index) -> _Layout:
     lengths = lengths[:, :, :used]
     inside = np.arange(first)[:, np.newaxis] < lengths[:, :, np.newaxis, :]
     weight, channel, place, rest = np.nonzero(inside)
-    return _Layout(zigzag(numbers[..., :used][inside]), degrees[weight], place, rest, channel, lengths)
+    return _Runs(zigzag(numbers[..., :used][inside]), degrees[weight], place, rest, channel, lengths)
 
 
 @dataclass(frozen=True)
@@ -77,12 +77,12 @@ class _Profiles:
     rest: Index
     channel: Index
 
-    def low_bits(self, layout: _Layout) -> Index:
+    def low_bits(self, layout: _Runs) -> Index:
         total = self.band[layout.band, layout.place] + self.rest[layout.rest] + self.channel[layout.channel]
         return np.asarray(np.maximum(total, 0) >> 1)
 
 
-def _profiles(layout: _Layout, first: int) -> _Profiles:
+def _profiles(layout: _Runs, first: int) -> _Profiles:
     """Fit the profiles: an additive model of the numbers' logarithms, then each entry moved while bits are saved."""
     bands = int(layout.band.max(initial=0)) + 1
     shapes = ((bands, first), (layout.lengths.shape[2],), (layout.lengths.shape[1],))
@@ -111,7 +111,7 @@ def _profiles(layout: _Layout, first: int) -> _Profiles:
     return _Profiles(whole[0].reshape(shapes[0]), whole[1], whole[2])
 
 
-def _used(layout: _Layout, degrees: Index) -> Index:
+def _used(layout: _Runs, degrees: Index) -> Index:
     longest = layout.lengths.max(axis=(1, 2), initial=0)
     return np.array([longest[degrees == band].max() for band in range(int(degrees.max()) + 1)])
 

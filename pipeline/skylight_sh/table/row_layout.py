@@ -16,7 +16,7 @@ _PAD = 8
 
 
 @dataclass(frozen=True)
-class Layout:
+class RowLayout:
     """``places``: the (degree l, channel, order m) of every column, or None for padding.
 
     ``widths`` ``(bands,)``: how many columns the first 1, 2, .. bands take; columns of a band follow those of the
@@ -47,7 +47,7 @@ def carried(quantity: str, bands: int) -> tuple[int, ...]:
     return tuple(l for l in range(bands) if quantity == "radiance" or l == 1 or l % 2 == 0)
 
 
-def layout(spec: Specification, bands: int) -> Layout:
+def layout(spec: Specification, bands: int) -> RowLayout:
     """Lay out the outputs of a table of ``bands`` bands that carry anything.
 
     Where orders m < 0 are not stored, every run m = 0..l of one band and channel splits into a remainder m < (l+1) % 4
@@ -70,4 +70,4 @@ def layout(spec: Specification, bands: int) -> Layout:
         places += [(l, c, m) for l in kept for c in range(channels) for m in range(-l, l + 1)]
     places += [None] * (-len(places) % _PAD)
     last = [max(k for k, place in enumerate(places) if place and place[0] < b) for b in range(1, bands + 1)]
-    return Layout(tuple(places), tuple(-(-(k + 1) // _PAD) * _PAD for k in last))
+    return RowLayout(tuple(places), tuple(-(-(k + 1) // _PAD) * _PAD for k in last))
