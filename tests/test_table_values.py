@@ -15,7 +15,7 @@ from skylight_sh.scene import surroundings
 from skylight_sh.scene.surroundings import Clouds
 from skylight_sh.table import bits, packed, prefactor, rows, twilight
 from skylight_sh.table.prefactor import closed_form, reciprocal
-from skylight_sh.table.row_layout import carried, layout
+from skylight_sh.table.row_layout import RowLayout, carried, layout
 from skylight_sh.table.size import bytes_of, coefficients_of
 from skylight_sh.table.surroundings import gain
 from skylight_sh.table.table import fast, float32_limits, small, specification
@@ -33,7 +33,7 @@ def staircase(dtype: str = "float32", around: Surroundings | None = None, **scen
     return fast(spec, dense, np.array([3, 2, 0]), 3, dtype, around)
 
 
-def outputs(bands: int, channels: int, *, mirrored: bool, quantity: str = "radiance") -> Layout:
+def outputs(bands: int, channels: int, *, mirrored: bool, quantity: str = "radiance") -> RowLayout:
     """The order of a table's outputs in a row."""
     return layout(specification((ZENITH,), tuple("abc"[:channels]), mirrored, "chebyshev", quantity=quantity), bands)
 
