@@ -120,6 +120,14 @@ def start() -> None:
     """Run the command line as a program."""
     # A run computes with one BLAS thread in each of its own; starting more takes as long as importing NumPy.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
-    # What a program that ends has left behind is not looked through for circles: a fifth of a short command's time.
-    atexit.register(gc.freeze)
+    atexit.register(_leave)
     main(prog_name="skylight-sh")
+
+
+def _leave() -> None:
+    """Let a program that ends be: Python would look through all it has loaded for circles, a fifth of a short command.
+
+    Two packages take what then stays for a leak, and say so: where one is loaded, Python may look.
+    """
+    if not sys.modules.keys() & {"OpenImageIO", "drjit"}:
+        gc.freeze()
