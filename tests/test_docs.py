@@ -15,7 +15,8 @@ from conftest import ROOT
 from skylight_sh import runtime
 from skylight_sh.cli import COMMANDS
 from skylight_sh.config import load
-from skylight_sh.export import vectors
+from skylight_sh.export import targets, vectors
+from skylight_sh.export.c_header import Facts
 from skylight_sh.run.runner import Result
 from skylight_sh.run.steps import steps
 from skylight_sh.store import hdf5
@@ -85,7 +86,7 @@ def test_names_of_this_package_exist(page: Path) -> None:
     for name in set(re.findall(r"\bskylight_sh(?:\.[a-z_]\w*)+", text(page))):
         parts = name.split(".")[1:]
         shown = f"File `{'/'.join(parts)}.py`:" in text(page)
-        if shown or parts[0] in ("h", "npz", "glsl", "hlsl", "wgsl", "slang", "json", "lights"):
+        if shown or parts[0] in ("h", "npz", "glsl", "hlsl", "wgsl", "mjs", "slang", "json", "lights"):
             continue
         assert _found(parts), f"{page.name} names {name}"
 
@@ -194,6 +195,19 @@ def test_macros_and_functions_of_the_header_are_there(small_run: Result) -> None
         plain = name.partition("(")[0].replace("<AXIS>", "SUN_ZENITH")
         whole = re.sub(r"^P_", "SKYLIGHT_SH_", re.sub(r"^p_", "skylight_sh_", plain))
         assert re.search(rf"\b{whole}\b", header), whole
+
+
+def test_names_of_shaders_and_of_the_module_are_there(small_run: Result) -> None:
+    table = runtime.read(small_run.folder / "export" / "skylight_sh.npz")
+    facts = Facts("a sky", 0.01, 0.02, "per-set", [])
+    written = targets.write(("glsl", "hlsl", "wgsl", "javascript"), table, facts, "skylight_sh")
+    assert len(written) == 4
+    for file, data in written.items():
+        title = "The JavaScript module" if file.endswith(".mjs") else "The shaders"
+        for name in listed(title):
+            plain = name.partition("(")[0]
+            whole = re.sub(r"^P_", "SKYLIGHT_SH_", re.sub(r"^p_", "skylight_sh_", plain))
+            assert re.search(rf"\b{whole}\b", data.decode()), f"{file}: {whole}"
 
 
 def test_every_citation_has_an_entry() -> None:
