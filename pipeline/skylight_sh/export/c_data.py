@@ -9,6 +9,7 @@ import numpy as np
 from skylight_sh import __version__
 from skylight_sh.export.evaluators import commented, filled
 from skylight_sh.formula.expression import composed, with_derivatives
+from skylight_sh.formula.harmonics import HORIZONTAL
 from skylight_sh.formula.printers import C_DOUBLE, C_SINGLE, Language
 from skylight_sh.formula.printers import double as exact
 from skylight_sh.formula.printers import single as rounded
@@ -22,8 +23,8 @@ from skylight_sh.table.table import float32_limits
 P = "SKYLIGHT_SH"
 _p = "skylight_sh"
 _FOUR = 4
-# An even ground's radiance for an albedo of 1 is this times the weight l = 1, m = 0 of the sky: sqrt(4 pi / 3) / pi.
-_REFLECTED = float(np.sqrt(4 / (3 * np.pi)))
+# An even ground's radiance for an albedo of 1 is this times the weight l = 1, m = 0 of the sky.
+_REFLECTED = HORIZONTAL / np.pi
 
 
 def single(value: float) -> str:

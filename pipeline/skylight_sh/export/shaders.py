@@ -6,6 +6,7 @@ import math
 import textwrap
 from collections.abc import Sequence
 from itertools import product
+from typing import Any
 
 import numpy as np
 
@@ -15,8 +16,10 @@ from skylight_sh.export.c_comment import input_lines
 from skylight_sh.export.c_header import Facts
 from skylight_sh.export.shader_dialects import DIALECTS, Dialect, check_prefix
 from skylight_sh.export.template import template
-from skylight_sh.formula import printers
+from skylight_sh.formula import harmonics, printers
+from skylight_sh.formula.azimuth import TURN, waves
 from skylight_sh.formula.bases import BASES
+from skylight_sh.formula.expression import trace
 from skylight_sh.formula.printers import Language
 from skylight_sh.formula.printers import single as number
 from skylight_sh.runtime import SLACK, Rows, Table
@@ -104,7 +107,7 @@ def _expansion(dialect: Dialect, colour: str, vector: str, factors: Sequence[flo
     last = max((l for l, factor in enumerate(factors) if factor), default=0)
     for m in range(last + 1):
         kept = [l for l in range(m, last + 1) if factors[l]]
-        start = _sectoral(m)
+        start = harmonics.sectoral(m)
         lines += [dialect.fixed("real", f"y{l}_{m}", _step(l, m, start)) for l in range(m + 1, kept[-1] + 1)]
 
         def total(sign: int, m: int = m, kept: Sequence[int] = tuple(kept), start: float = start) -> str:
@@ -127,19 +130,12 @@ def _expansion(dialect: Dialect, colour: str, vector: str, factors: Sequence[flo
     return lines
 
 
-def _sectoral(m: int) -> float:
-    """Return ``y_mm`` over sin^m cos(m phi): a constant."""
-    square = math.prod((2 * k + 1) / (2 * k) for k in range(1, m + 1)) / (4 * math.pi)
-    return math.sqrt(2 * square if m else square)
-
-
 def _step(l: int, m: int, start: float) -> str:
     """Return ``y_lm`` over sin^m cos(m phi) by the two degrees below it; ``start`` is that of degree m."""
-    gap = l * l - m * m
-    ahead = math.sqrt((4 * l * l - 1) / gap)
+    ahead = float(harmonics.ahead(l, m))
     if l == m + 1:
         return f"{number(ahead * start)} * z"
-    back = math.sqrt((2 * l + 1) * ((l - 1) ** 2 - m * m) / ((2 * l - 3) * gap))
+    back = float(harmonics.behind(l, m))
     before = number(back * start) if l == m + 2 else f"{number(back)} * y{l - 2}_{m}"
     return f"{number(ahead)} * z * y{l - 1}_{m} - {before}"
 
@@ -226,11 +222,14 @@ def _waves(bands: int, dialect: Dialect, prefix: str) -> list[str]:
         dialect.fixed("real", "c1", "wave.x"),
         dialect.fixed("real", "s1", "wave.y"),
     ]
-    for m in range(2, bands):
-        h, k = m // 2, m - m // 2
-        lines.append(dialect.fixed("real", f"c{m}", f"c{h} * c{k} - s{h} * s{k}"))
-        lines.append(dialect.fixed("real", f"s{m}", f"s{h} * c{k} + c{h} * s{k}"))
-    return lines
+    program = trace(lambda cosine, sine: _doubled(cosine, sine, bands), ["cosine", "sine"])
+    names = [f"{wave}{m}" for m in range(2, bands) for wave in "cs"]
+    return lines + printers.declarations(program, _language(dialect, prefix), ["c1", "s1"], names)
+
+
+def _doubled(cosine: Any, sine: Any, bands: int) -> list[Any]:
+    """Return cos and sin of twice the azimuth, of three times, .."""
+    return [wave for pair in list(zip(*waves(cosine, sine, bands), strict=True))[2:] for wave in pair]
 
 
 def _stores(table: Table, dialect: Dialect, colour: str) -> list[str]:
@@ -252,8 +251,8 @@ def _stores(table: Table, dialect: Dialect, colour: str) -> list[str]:
                 lines += [f"{plus} = a{l}_{m} * c{m};", f"{minus} = a{l}_{m} * s{m};"]
                 continue
             lines.append(dialect.fixed(colour, f"b{l}_{m}", output(l, -m)))
-            lines.append(f"{plus} = a{l}_{m} * c{m} - b{l}_{m} * s{m};")
-            lines.append(f"{minus} = b{l}_{m} * c{m} + a{l}_{m} * s{m};")
+            inputs = [f"a{l}_{m}", f"b{l}_{m}", f"c{m}", f"s{m}"]
+            lines += printers.assignments(TURN, _language(dialect, ""), inputs, [plus, minus])
     return lines
 
 

@@ -99,8 +99,26 @@ def assignments(program: Program, language: Language, inputs: Sequence[str], tar
     return lines
 
 
+def declarations(program: Program, language: Language, inputs: Sequence[str], names: Sequence[str]) -> list[str]:
+    """Return the statements that declare each output under its name; outputs are different steps, none an input.
+
+    >>> from skylight_sh.formula.expression import trace
+    >>> declarations(trace(lambda x: [x * x], ["x"]), C_SINGLE, ["x"], ["square"])
+    ['const float square = x * x;']
+    """
+    return _printed(program, language, inputs, dict(zip(program.outputs, names, strict=True)), language.declare)[0]
+
+
+def _assigned(target: str, text: str) -> str:
+    return f"{target} = {text};"
+
+
 def _printed(
-    program: Program, language: Language, inputs: Sequence[str], targets: Mapping[int, str]
+    program: Program,
+    language: Language,
+    inputs: Sequence[str],
+    targets: Mapping[int, str],
+    write: Callable[[str, str], str] = _assigned,
 ) -> tuple[list[str], list[tuple[str, int]]]:
     used = Counter(int(place) for step in program.steps if _is_node(step) for place in step[1:])
     labels, taken = dict(program.labels), Counter[str]()
@@ -110,7 +128,7 @@ def _printed(
     for place, step in enumerate(program.steps):
         text, precedence = _text(step, program, language, inputs, texts)
         if place in targets:
-            lines.append(f"{targets[place]} = {text};")
+            lines.append(write(targets[place], text))
             text, precedence = targets[place], _ATOM
         elif _is_node(step) and (used[place] > 1 or place in labels):
             name = labels.get(place, "part")

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from skylight_sh import sphere
 from skylight_sh.fit.axis import Axis
+from skylight_sh.formula.harmonics import HORIZONTAL
 from skylight_sh.light.protocol import Light
 from skylight_sh.report import panorama
 from skylight_sh.runtime import Table
@@ -166,7 +167,7 @@ def measure(weights: Array, skies: Array, bands: tuple[int, ...]) -> Ringing:
     smoothing = np.empty((len(GROUNDS), len(_KEPT), len(bands)))
     found = Ringing(bands, names, undershoot, overshoot, area, peak, np.empty(shape, dtype=np.int64), smoothing)
     brightest = skies.max(axis=(1, 2))
-    irradiance = np.sqrt(4 * np.pi / 3) * weights[:, 2]
+    irradiance = HORIZONTAL * weights[:, 2]
     for g, ground in enumerate(GROUNDS.values()):
         scene = ground.values(skies[:, :, ::_EACH], irradiance).reshape(len(skies), -1)
         for b, count in enumerate(bands):

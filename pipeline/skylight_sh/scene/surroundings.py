@@ -18,7 +18,8 @@ from skylight_sh import sphere
 from skylight_sh.reproducible import to_grid
 
 if TYPE_CHECKING:
-    from skylight_sh.runtime import Surroundings
+    from skylight_sh.formula.harmonics import HORIZONTAL
+from skylight_sh.runtime import Surroundings
 
 Array = NDArray[np.float64]
 
@@ -91,7 +92,7 @@ def build(
     if albedo is not None and masked:
         ground = one - level
         shape = sphere.product(near, ground, bands) if occluders else ground[: bands * bands]
-        below = np.multiply.outer(np.array(albedo) * np.sqrt(4 / (3 * np.pi)), shape)
+        below = np.multiply.outer(np.array(albedo) * (HORIZONTAL / np.pi), shape)
     if lights.size:
         # What the ground will reflect of them is taken away beforehand: below * own[l = 1, m = 0].
         alone = lights - below * lights[:, 2:3] / (1.0 + below[:, 2:3]) if below.size else lights

@@ -10,6 +10,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from skylight_sh.formula.harmonics import CONSTANT, ahead, behind, diagonal
 from skylight_sh.sphere._orders import Harmonics, as_harmonics, bands_of, check_bands
 
 Array = NDArray[np.float64]
@@ -33,20 +34,19 @@ def legendre(cos_theta: Array, sin_theta: Array, bands: int) -> Array:
     check_bands(bands)
     cos_theta, sin_theta = np.broadcast_arrays(cos_theta, sin_theta)
     rows = np.empty((bands * (bands + 1) // 2, *cos_theta.shape))
-    rows[0] = np.sqrt(0.25 / np.pi)
+    rows[0] = CONSTANT
     m = np.arange(bands).reshape(-1, *(1 for _ in cos_theta.shape))
     for l in range(1, bands):
         # All orders of a degree at once: the recurrence in l needs m < l, the diagonal starts it.
         low = m[:l]
-        a = np.sqrt((4 * l * l - 1) / (l * l - low * low))
+        a = ahead(l, low)
         now = rows[_row(l, 0) : _row(l, l)]
         np.multiply(a * cos_theta, rows[_row(l - 1, 0) : _row(l - 1, l)], out=now)
         if l > 1:
             low = m[: l - 1]
-            b = np.sqrt((2 * l + 1) * ((l - 1) ** 2 - low * low) / ((2 * l - 3) * (l * l - low * low)))
+            b = behind(l, low)
             now[:-1] -= b * rows[_row(l - 2, 0) : _row(l - 2, l - 1)]
-        step = np.sqrt((2 * l + 1) / (2 * l)) * (np.sqrt(2.0) if l == 1 else 1.0)
-        rows[_row(l, l)] = rows[_row(l - 1, l - 1)] * (step * sin_theta)
+        rows[_row(l, l)] = rows[_row(l - 1, l - 1)] * (diagonal(l) * sin_theta)
     return rows
 
 

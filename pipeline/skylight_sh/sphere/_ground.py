@@ -7,6 +7,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from skylight_sh.formula.harmonics import HORIZONTAL
 from skylight_sh.sphere._orders import Harmonics, as_harmonics, check_bands
 
 Array = NDArray[np.float64]
@@ -53,7 +54,7 @@ def add_ground(weights: Array, albedo: ArrayLike, harmonics: Harmonics | int, *,
     if held.bands < 2:
         raise ValueError("One band does not tell the irradiance on the ground. Give at least two bands.")
     zonal = np.flatnonzero(held.orders == 0)
-    irradiance = math.sqrt(4 * math.pi / 3) * weights[..., zonal[1]] + np.asarray(from_below)
+    irradiance = HORIZONTAL * weights[..., zonal[1]] + np.asarray(from_below)
     out = np.array(weights, dtype=np.float64)
     ground = share * irradiance / math.pi
     out[..., zonal] += ground[..., np.newaxis] * lower_hemisphere(held.bands)

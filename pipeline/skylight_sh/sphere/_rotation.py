@@ -7,6 +7,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from skylight_sh import runtime
 from skylight_sh.sphere._orders import Harmonics, Index, bands_of, check_finite
 
 Array = NDArray[np.float64]
@@ -22,17 +23,12 @@ def rotate_azimuth(weights: NDArray[np.floating], azimuth: NDArray[np.floating] 
     >>> np.abs(rotate_azimuth(np.array([0.0, 0.0, 0.0, 1.0]), np.pi / 2)).round(6).tolist()
     [0.0, 1.0, 0.0, 0.0]
     """
-    held = Harmonics(bands_of(weights))
-    degrees, orders = held.degrees, held.orders
+    bands_of(weights)
     if not np.issubdtype(weights.dtype, np.floating):
         weights = weights.astype(np.float64)
     turn = np.asarray(azimuth, dtype=np.float64)
     check_finite("azimuth", turn)
-    partner = degrees * (degrees + 1) - orders
-    angle = np.abs(orders) * turn[..., np.newaxis]
-    cosine = np.cos(angle).astype(weights.dtype)
-    sine = (np.sign(orders) * np.sin(angle)).astype(weights.dtype)
-    return np.asarray(weights * cosine - weights[..., partner] * sine)
+    return runtime.rotate_azimuth(weights, turn)
 
 
 def rotate_y(weights: Array, angles: Array, harmonics: Harmonics) -> Array:

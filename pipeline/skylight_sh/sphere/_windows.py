@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from skylight_sh.sphere._orders import Harmonics, check_bands
+from skylight_sh import runtime
+from skylight_sh.sphere._orders import check_bands
 
 Array = NDArray[np.float64]
 
@@ -19,8 +20,8 @@ def zonal_sinc(bands: int) -> Array:
     >>> zonal_sinc(2).round(4).tolist()
     [1.0, 1.0, 0.6366, 1.0]
     """
-    every = Harmonics(bands)
-    return np.where(every.orders == 0, np.sinc(every.degrees / bands), 1.0)
+    check_bands(bands)
+    return runtime.zonal_sinc(bands)
 
 
 def sinc_window(bands: int, *, cutoff: float | None = None, power: float = 1.0) -> Array:
