@@ -210,6 +210,19 @@ def test_names_of_shaders_and_of_the_module_are_there(small_run: Result) -> None
             assert re.search(rf"\b{whole}\b", data.decode()), f"{file}: {whole}"
 
 
+def test_every_registry_is_told() -> None:
+    """In the architecture by its name and file, and in the worked examples by a line in that file."""
+    told, shown = (text(ROOT / "docs" / f"{name}.md") for name in ("architecture", "extending"))
+    found = 0
+    for path in PACKAGE.rglob("*.py"):
+        for name in re.findall(r"^([A-Z_]+): Registry\[", text(path), re.MULTILINE):
+            place = path.relative_to(PACKAGE).as_posix()
+            assert f"| `{name}` | `{place}` |" in told, name
+            assert f"Line in `{place}`:" in shown, name
+            found += 1
+    assert found >= 8
+
+
 def test_every_citation_has_an_entry() -> None:
     """``Name 2008``, ``Name and Other 2001``, ``Name et al. 1999``, as docstrings and pages write them."""
     entries = text(ROOT / "docs" / "references.md")
