@@ -14,7 +14,7 @@ import pytest
 from conftest import ROOT, SMALL, run_quietly
 from skylight_sh import runtime
 from skylight_sh.config import load
-from skylight_sh.export import c_header, vectors
+from skylight_sh.export import c_data, c_header, vectors
 from skylight_sh.runtime import Table
 from skylight_sh.studies.stability import fuzz
 from skylight_sh.studies.stability.flavours import flavours
@@ -171,7 +171,7 @@ def test_any_bits_keep_the_promises(tmp_path: Path) -> None:
 
 def test_the_fuzzer_finds_a_limit_that_is_one_float_off(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     off = [(low, float(np.nextafter(np.float32(high), np.float32(9)))) for low, high in float32_limits(TABLES["rows"])]
-    monkeypatch.setattr(c_header, "float32_limits", lambda _: off)
+    monkeypatch.setattr(c_data, "float32_limits", lambda _: off)
     good, text = fuzz.run(fuzz.build(TABLES["rows"], tmp_path, fuzz.BUILDS["gcc, fast-math"]), 50_000, 1)
     assert not good
     assert "promises 1 broken" in text

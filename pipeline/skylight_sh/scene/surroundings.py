@@ -15,11 +15,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from skylight_sh import sphere
+from skylight_sh.formula.harmonics import HORIZONTAL
 from skylight_sh.reproducible import to_grid
 
 if TYPE_CHECKING:
-    from skylight_sh.formula.harmonics import HORIZONTAL
-from skylight_sh.runtime import Surroundings
+    from skylight_sh.runtime import Surroundings
 
 Array = NDArray[np.float64]
 

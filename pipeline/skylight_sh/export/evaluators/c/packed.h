@@ -103,9 +103,10 @@ static inline void skylight_sh_combine(const skylight_sh_real *first,
                                       skylight_sh_channel_profile[channel];
                     const int length = skylight_sh_next_length(&bits, &lengths[channel][other]);
                     skylight_sh_real sum = 0;
-                    for (i = 0; i < length; ++i)
-                        sum += first[i] * (skylight_sh_real)skylight_sh_next_number(
-                                              &bits, profile[i] + level);
+                    for (i = 0; i < length; ++i) {
+                        const int number = skylight_sh_next_number(&bits, profile[i] + level);
+                        sum += first[i] * (skylight_sh_real)number;
+                    }
                     value += sum * others[other];
                 }
                 skylight_sh_place(value * SKYLIGHT_SH_STEP, l, m, cosines, sines,
@@ -135,8 +136,10 @@ static inline void skylight_sh_combine_double(
                                       skylight_sh_channel_profile[channel];
                     const int length = skylight_sh_next_length(&bits, &lengths[channel][other]);
                     double sum = 0.0;
-                    for (i = 0; i < length; ++i)
-                        sum += first[i] * (double)skylight_sh_next_number(&bits, profile[i] + level);
+                    for (i = 0; i < length; ++i) {
+                        const int number = skylight_sh_next_number(&bits, profile[i] + level);
+                        sum += first[i] * (double)number;
+                    }
                     value += sum * others[other];
                 }
                 skylight_sh_place((skylight_sh_real)(value * (double)SKYLIGHT_SH_STEP), l, m,
