@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from itertools import product
 
 import numpy as np
+from conftest import with_spec
 from numpy.typing import NDArray
 from skylight_sh.export import vectors
 from skylight_sh.studies.stability.flavours import flavours
+from skylight_sh.table.table import float32_limits
 
 Singles = NDArray[np.float32]
 
@@ -31,7 +32,7 @@ def test_inputs_are_corners_edges_no_numbers_and_random_ones() -> None:
 
     expected = [[a, 0.7, b] for a, b in product(*ranges)]
     for axis, ends in enumerate([(0.0, np.pi / 2), (2.5, 6.0)]):
-        for value in (*ends, *table.float32_limits()[axis]):
+        for value in (*ends, *float32_limits(table)[axis]):
             at = np.float32(value)
             for one in (np.nextafter(at, np.float32(-np.inf)), at, np.nextafter(at, np.float32(np.inf))):
                 expected.append([one, -2.0, middle[1]] if axis == 0 else [middle[0], -2.0, one])
@@ -69,4 +70,4 @@ def test_a_file_stays_small_by_fewer_random_vectors() -> None:
 
 
 def test_a_fixed_azimuth_is_no_input() -> None:
-    assert parsed(vectors.write(replace(flavours()["rows"], azimuth=0.5)))[1].shape[1] == 2
+    assert parsed(vectors.write(with_spec(flavours()["rows"], azimuth=0.5)))[1].shape[1] == 2
