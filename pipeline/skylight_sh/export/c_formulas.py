@@ -71,7 +71,8 @@ def slopes(table: Table) -> Iterator[str]:
         axes = range(len(table.axes))
         program = with_derivatives(table.spec.scale.program, list(axes))
         inputs, targets = [f"x[{axis}]" for axis in axes], [f"out[{k}]" for k in range(1 + len(axes))]
-        lines = printers.assignments(program, C_DOUBLE, inputs, targets)
+        # A constant factor reads no axis.
+        lines = [*printers.assignments(program, C_DOUBLE, inputs, targets), "(void)x;"]
     else:
         lines = ["(void)x;", *(f"out[{k}] = {float(k == 0)};" for k in range(1 + len(table.axes)))]
     yield from _function(f"void {_p}_scale_slopes(const double *x, double *out)", lines)
