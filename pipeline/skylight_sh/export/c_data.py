@@ -158,8 +158,9 @@ def _rows(table: Table, body: Rows) -> Iterator[str]:
     yield f"#define {P}_WIDTHS {_braced(layout(table.spec, table.bands).widths)}"
     yield from commented("Of each product of the other axes' functions: how many functions of the first axis it has.")
     yield f"#define {P}_LENGTHS {_braced(body.lengths.tolist())}"
-    yield from commented("The same again, where there are any: first row, rows, place of the product.")
-    kept = [(int(start), int(n), r) for r, (start, n) in enumerate(zip(starts, body.lengths, strict=False)) if n]
+    yield from commented("The same: the first product's rows; of each other that has any, first row, rows, place.")
+    yield f"#define {P}_LEADING {int(body.lengths[0])}"
+    kept = [(int(start), int(n), r) for r, (start, n) in enumerate(zip(starts, body.lengths, strict=False)) if n and r]
     yield from _list(f"#define {P}_PRODUCTS(PRODUCT)", [f"PRODUCT({start}, {n}, {r})" for start, n, r in kept])
     yield from commented("Where a row's outputs go: for each band, by channel, degree, order and column.")
     kinds = "ZONAL, ONE, FOUR" if table.spec.mirrored else "DEGREE"

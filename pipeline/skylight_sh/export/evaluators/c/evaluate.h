@@ -153,13 +153,15 @@ static inline int skylight_sh_evaluate_batch(
         if (!ready) {
             skylight_sh_real others[SKYLIGHT_SH_OTHERS];
             skylight_sh_others(x, others);
-            for (i = 0; i < SKYLIGHT_SH_FIRST * SKYLIGHT_SH_WIDTH; ++i) line[i] = 0;
+            for (i = 0; i < SKYLIGHT_SH_LEADING * SKYLIGHT_SH_WIDTH; ++i)
+                line[i] = others[0] * skylight_sh_rows[i];
+            for (; i < SKYLIGHT_SH_FIRST * SKYLIGHT_SH_WIDTH; ++i) line[i] = 0;
 #define SKYLIGHT_SH_PRODUCT(start, count, other) \
     for (i = 0; i < (count) * SKYLIGHT_SH_WIDTH; ++i) \
         line[i] += others[other] * skylight_sh_rows[(start) * SKYLIGHT_SH_WIDTH + i];
             SKYLIGHT_SH_PRODUCTS(SKYLIGHT_SH_PRODUCT)
 #undef SKYLIGHT_SH_PRODUCT
-            for (i = 0; i < SKYLIGHT_SH_AXES; ++i) shared[i] = x[i];
+            memcpy(shared, x, sizeof shared);
             ready = 1;
         }
         scale = skylight_sh_scale(x) * (skylight_sh_real)SKYLIGHT_SH_EXPOSURE;

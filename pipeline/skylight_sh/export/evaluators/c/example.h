@@ -51,10 +51,10 @@ static const skylight_sh_real skylight_sh_range[SKYLIGHT_SH_AXES][2] = { { 0.0f,
 /* Of each product of the other axes' functions: how many functions of the
    first axis it has. */
 #define SKYLIGHT_SH_LENGTHS { 6, 5, 4 }
-/* The same again, where there are any: first row, rows, place of the
-   product. */
+/* The same: the first product's rows; of each other that has any, first
+   row, rows, place. */
+#define SKYLIGHT_SH_LEADING 6
 #define SKYLIGHT_SH_PRODUCTS(PRODUCT) \
-    PRODUCT(0, 6, 0) \
     PRODUCT(6, 5, 1) \
     PRODUCT(11, 4, 2)
 /* Where a row's outputs go: for each band, by channel, degree, order and
@@ -363,4 +363,5 @@ static inline void skylight_sh_scale_slopes(const double *x, double *out)
         part_8 + tan_below * (0.1787 * up4 + a * (part_28 * up2 + up2 * part_28))) * part_14 +
         part_9 * ((-0.022700000000000001) * halo8 + c * (part_32 * halo4 + halo4 * part_32) +
         (-0.067000000000000004) * part_13)) / part_15;
+    (void)x;
 }

@@ -110,6 +110,7 @@ static inline void skylight_sh_combine(const skylight_sh_real *first,
     /* In fours: each overshoot is overwritten by the next line. */
 #define SKYLIGHT_SH_PRODUCT(start, count, other) \
     for (i = 0; i < ((count) + 3) / 4 * 4; ++i) products[(start) + i] = first[i] * others[other];
+    SKYLIGHT_SH_PRODUCT(0, SKYLIGHT_SH_LEADING, 0)
     SKYLIGHT_SH_PRODUCTS(SKYLIGHT_SH_PRODUCT)
 #undef SKYLIGHT_SH_PRODUCT
     /* A last group of four may have rows of zeros. */
