@@ -57,7 +57,7 @@
 #endif
 
 #ifndef SKYLIGHT_SH_H
-#define SKYLIGHT_SH_H 0x3034d42e
+#define SKYLIGHT_SH_H 0xc998678d
 
 #include <math.h>
 #include <stdint.h>
@@ -119,7 +119,7 @@ SKYLIGHT_SH_API void skylight_sh_ground(const float albedo[SKYLIGHT_SH_CHANNELS]
 SKYLIGHT_SH_API void skylight_sh_window(int bands,
     float weights[SKYLIGHT_SH_CHANNELS][SKYLIGHT_SH_WEIGHTS]);
 
-#elif SKYLIGHT_SH_H != 0x3034d42e
+#elif SKYLIGHT_SH_H != 0xc998678d
 #error "Another table has the prefix skylight_sh already: export one of them under a prefix of its \
     own."
 #endif /* SKYLIGHT_SH_H */
@@ -161,10 +161,10 @@ static const skylight_sh_real skylight_sh_range[SKYLIGHT_SH_AXES][2] = { { 0.0f,
 /* Of each product of the other axes' functions: how many functions of the
    first axis it has. */
 #define SKYLIGHT_SH_LENGTHS { 11, 11, 9, 7, 5, 1 }
-/* The same again, where there are any: first row, rows, place of the
-   product. */
+/* The same: the first product's rows; of each other that has any, first
+   row, rows, place. */
+#define SKYLIGHT_SH_LEADING 11
 #define SKYLIGHT_SH_PRODUCTS(PRODUCT) \
-    PRODUCT(0, 11, 0) \
     PRODUCT(11, 11, 1) \
     PRODUCT(22, 9, 2) \
     PRODUCT(31, 7, 3) \
@@ -1125,6 +1125,7 @@ static inline void skylight_sh_scale_slopes(const double *x, double *out)
         part_8 + tan_below * (0.1787 * up4 + a * (part_28 * up2 + up2 * part_28))) * part_14 +
         part_9 * ((-0.022700000000000001) * halo8 + c * (part_32 * halo4 + halo4 * part_32) +
         (-0.067000000000000004) * part_13)) / part_15;
+    (void)x;
 }
 
 /* 0 for a finite number, 1 for an infinity, 2 for NaN: by its bits, so that -ffast-math cannot
@@ -1264,6 +1265,7 @@ static inline void skylight_sh_combine(const skylight_sh_real *first,
     /* In fours: each overshoot is overwritten by the next line. */
 #define SKYLIGHT_SH_PRODUCT(start, count, other) \
     for (i = 0; i < ((count) + 3) / 4 * 4; ++i) products[(start) + i] = first[i] * others[other];
+    SKYLIGHT_SH_PRODUCT(0, SKYLIGHT_SH_LEADING, 0)
     SKYLIGHT_SH_PRODUCTS(SKYLIGHT_SH_PRODUCT)
 #undef SKYLIGHT_SH_PRODUCT
     /* A last group of four may have rows of zeros. */
@@ -1367,13 +1369,15 @@ static inline int skylight_sh_evaluate_batch(
         if (!ready) {
             skylight_sh_real others[SKYLIGHT_SH_OTHERS];
             skylight_sh_others(x, others);
-            for (i = 0; i < SKYLIGHT_SH_FIRST * SKYLIGHT_SH_WIDTH; ++i) line[i] = 0;
+            for (i = 0; i < SKYLIGHT_SH_LEADING * SKYLIGHT_SH_WIDTH; ++i)
+                line[i] = others[0] * skylight_sh_rows[i];
+            for (; i < SKYLIGHT_SH_FIRST * SKYLIGHT_SH_WIDTH; ++i) line[i] = 0;
 #define SKYLIGHT_SH_PRODUCT(start, count, other) \
     for (i = 0; i < (count) * SKYLIGHT_SH_WIDTH; ++i) \
         line[i] += others[other] * skylight_sh_rows[(start) * SKYLIGHT_SH_WIDTH + i];
             SKYLIGHT_SH_PRODUCTS(SKYLIGHT_SH_PRODUCT)
 #undef SKYLIGHT_SH_PRODUCT
-            for (i = 0; i < SKYLIGHT_SH_AXES; ++i) shared[i] = x[i];
+            memcpy(shared, x, sizeof shared);
             ready = 1;
         }
         scale = skylight_sh_scale(x) * (skylight_sh_real)SKYLIGHT_SH_EXPOSURE;

@@ -61,7 +61,7 @@
 #endif
 
 #ifndef SKYLIGHT_SH_7_BANDS_0_005PCT_H
-#define SKYLIGHT_SH_7_BANDS_0_005PCT_H 0x459ed745
+#define SKYLIGHT_SH_7_BANDS_0_005PCT_H 0x1df35ab5
 
 #include <math.h>
 #include <stdint.h>
@@ -130,7 +130,7 @@ SKYLIGHT_SH_7_BANDS_0_005PCT_API void skylight_sh_7_bands_0_005pct_ground(const 
 SKYLIGHT_SH_7_BANDS_0_005PCT_API void skylight_sh_7_bands_0_005pct_window(int bands,
     float weights[SKYLIGHT_SH_7_BANDS_0_005PCT_CHANNELS][SKYLIGHT_SH_7_BANDS_0_005PCT_WEIGHTS]);
 
-#elif SKYLIGHT_SH_7_BANDS_0_005PCT_H != 0x459ed745
+#elif SKYLIGHT_SH_7_BANDS_0_005PCT_H != 0x1df35ab5
 #error "Another table has the prefix skylight_sh_7_bands_0_005pct_7_bands_0_005pct already: export \
     one of them under a prefix of its own."
 #endif /* SKYLIGHT_SH_7_BANDS_0_005PCT_H */
@@ -174,10 +174,10 @@ static const skylight_sh_7_bands_0_005pct_real
 /* Of each product of the other axes' functions: how many functions of the
    first axis it has. */
 #define SKYLIGHT_SH_7_BANDS_0_005PCT_LENGTHS { 13, 13, 13, 11, 8, 6, 4 }
-/* The same again, where there are any: first row, rows, place of the
-   product. */
+/* The same: the first product's rows; of each other that has any, first
+   row, rows, place. */
+#define SKYLIGHT_SH_7_BANDS_0_005PCT_LEADING 13
 #define SKYLIGHT_SH_7_BANDS_0_005PCT_PRODUCTS(PRODUCT) \
-    PRODUCT(0, 13, 0) \
     PRODUCT(13, 13, 1) \
     PRODUCT(26, 13, 2) \
     PRODUCT(39, 11, 3) \
@@ -1554,6 +1554,7 @@ static inline void skylight_sh_7_bands_0_005pct_scale_slopes(const double *x, do
         part_8 + tan_below * (0.1787 * up4 + a * (part_28 * up2 + up2 * part_28))) * part_14 +
         part_9 * ((-0.022700000000000001) * halo8 + c * (part_32 * halo4 + halo4 * part_32) +
         (-0.067000000000000004) * part_13)) / part_15;
+    (void)x;
 }
 
 /* 0 for a finite number, 1 for an infinity, 2 for NaN: by its bits, so that -ffast-math cannot
@@ -1719,6 +1720,7 @@ static inline void skylight_sh_7_bands_0_005pct_combine(const skylight_sh_7_band
     /* In fours: each overshoot is overwritten by the next line. */
 #define SKYLIGHT_SH_7_BANDS_0_005PCT_PRODUCT(start, count, other) \
     for (i = 0; i < ((count) + 3) / 4 * 4; ++i) products[(start) + i] = first[i] * others[other];
+    SKYLIGHT_SH_7_BANDS_0_005PCT_PRODUCT(0, SKYLIGHT_SH_7_BANDS_0_005PCT_LEADING, 0)
     SKYLIGHT_SH_7_BANDS_0_005PCT_PRODUCTS(SKYLIGHT_SH_7_BANDS_0_005PCT_PRODUCT)
 #undef SKYLIGHT_SH_7_BANDS_0_005PCT_PRODUCT
     /* A last group of four may have rows of zeros. */
@@ -1848,15 +1850,18 @@ static inline int skylight_sh_7_bands_0_005pct_evaluate_batch(
         if (!ready) {
             skylight_sh_7_bands_0_005pct_real others[SKYLIGHT_SH_7_BANDS_0_005PCT_OTHERS];
             skylight_sh_7_bands_0_005pct_others(x, others);
-            for (i = 0; i < SKYLIGHT_SH_7_BANDS_0_005PCT_FIRST * SKYLIGHT_SH_7_BANDS_0_005PCT_WIDTH;
-                ++i) line[i] = 0;
+            for (i = 0; i < SKYLIGHT_SH_7_BANDS_0_005PCT_LEADING *
+                SKYLIGHT_SH_7_BANDS_0_005PCT_WIDTH; ++i)
+                line[i] = others[0] * skylight_sh_7_bands_0_005pct_rows[i];
+            for (; i < SKYLIGHT_SH_7_BANDS_0_005PCT_FIRST * SKYLIGHT_SH_7_BANDS_0_005PCT_WIDTH; ++i)
+                line[i] = 0;
 #define SKYLIGHT_SH_7_BANDS_0_005PCT_PRODUCT(start, count, other) \
     for (i = 0; i < (count) * SKYLIGHT_SH_7_BANDS_0_005PCT_WIDTH; ++i) \
         line[i] += others[other] * skylight_sh_7_bands_0_005pct_rows[(start) * \
             SKYLIGHT_SH_7_BANDS_0_005PCT_WIDTH + i];
             SKYLIGHT_SH_7_BANDS_0_005PCT_PRODUCTS(SKYLIGHT_SH_7_BANDS_0_005PCT_PRODUCT)
 #undef SKYLIGHT_SH_7_BANDS_0_005PCT_PRODUCT
-            for (i = 0; i < SKYLIGHT_SH_7_BANDS_0_005PCT_AXES; ++i) shared[i] = x[i];
+            memcpy(shared, x, sizeof shared);
             ready = 1;
         }
         scale = skylight_sh_7_bands_0_005pct_scale(x) *

@@ -65,7 +65,7 @@
 #endif
 
 #ifndef SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_H
-#define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_H 0x362c393d
+#define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_H 0x56e6dd43
 
 #include <math.h>
 #include <stdint.h>
@@ -141,7 +141,7 @@ SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_API void skylight_sh_7_bands_0_1pct_packed_win
     float
     weights[SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_CHANNELS][SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_WEIGHTS]);
 
-#elif SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_H != 0x362c393d
+#elif SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_H != 0x56e6dd43
 #error "Another table has the prefix skylight_sh_7_bands_0_1pct_packed_7_bands_0_1pct_packed \
     already: export one of them under a prefix of its own."
 #endif /* SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_H */
@@ -566,6 +566,7 @@ static inline void skylight_sh_7_bands_0_1pct_packed_scale_slopes(const double *
         part_8 + tan_below * (0.1787 * up4 + a * (part_28 * up2 + up2 * part_28))) * part_14 +
         part_9 * ((-0.022700000000000001) * halo8 + c * (part_32 * halo4 + halo4 * part_32) +
         (-0.067000000000000004) * part_13)) / part_15;
+    (void)x;
 }
 
 /* 0 for a finite number, 1 for an infinity, 2 for NaN: by its bits, so that -ffast-math cannot

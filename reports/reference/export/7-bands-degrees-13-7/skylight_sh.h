@@ -65,7 +65,7 @@
 #endif
 
 #ifndef SKYLIGHT_SH_7_BANDS_DEGREES_13_7_H
-#define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_H 0xa99ec719
+#define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_H 0x8fba71c3
 
 #include <math.h>
 #include <stdint.h>
@@ -141,7 +141,7 @@ SKYLIGHT_SH_7_BANDS_DEGREES_13_7_API void skylight_sh_7_bands_degrees_13_7_windo
     float
     weights[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_CHANNELS][SKYLIGHT_SH_7_BANDS_DEGREES_13_7_WEIGHTS]);
 
-#elif SKYLIGHT_SH_7_BANDS_DEGREES_13_7_H != 0xa99ec719
+#elif SKYLIGHT_SH_7_BANDS_DEGREES_13_7_H != 0x8fba71c3
 #error "Another table has the prefix skylight_sh_7_bands_degrees_13_7_7_bands_degrees_13_7 \
     already: export one of them under a prefix of its own."
 #endif /* SKYLIGHT_SH_7_BANDS_DEGREES_13_7_H */
@@ -185,10 +185,10 @@ static const skylight_sh_7_bands_degrees_13_7_real
 /* Of each product of the other axes' functions: how many functions of the
    first axis it has. */
 #define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_LENGTHS { 14, 14, 14, 14, 14, 14, 14, 14 }
-/* The same again, where there are any: first row, rows, place of the
-   product. */
+/* The same: the first product's rows; of each other that has any, first
+   row, rows, place. */
+#define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_LEADING 14
 #define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_PRODUCTS(PRODUCT) \
-    PRODUCT(0, 14, 0) \
     PRODUCT(14, 14, 1) \
     PRODUCT(28, 14, 2) \
     PRODUCT(42, 14, 3) \
@@ -2039,6 +2039,7 @@ static inline void skylight_sh_7_bands_degrees_13_7_scale_slopes(const double *x
         part_8 + tan_below * (0.1787 * up4 + a * (part_28 * up2 + up2 * part_28))) * part_14 +
         part_9 * ((-0.022700000000000001) * halo8 + c * (part_32 * halo4 + halo4 * part_32) +
         (-0.067000000000000004) * part_13)) / part_15;
+    (void)x;
 }
 
 /* 0 for a finite number, 1 for an infinity, 2 for NaN: by its bits, so that -ffast-math cannot
@@ -2208,6 +2209,7 @@ static inline void skylight_sh_7_bands_degrees_13_7_combine(const
     /* In fours: each overshoot is overwritten by the next line. */
 #define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_PRODUCT(start, count, other) \
     for (i = 0; i < ((count) + 3) / 4 * 4; ++i) products[(start) + i] = first[i] * others[other];
+    SKYLIGHT_SH_7_BANDS_DEGREES_13_7_PRODUCT(0, SKYLIGHT_SH_7_BANDS_DEGREES_13_7_LEADING, 0)
     SKYLIGHT_SH_7_BANDS_DEGREES_13_7_PRODUCTS(SKYLIGHT_SH_7_BANDS_DEGREES_13_7_PRODUCT)
 #undef SKYLIGHT_SH_7_BANDS_DEGREES_13_7_PRODUCT
     /* A last group of four may have rows of zeros. */
@@ -2345,7 +2347,10 @@ static inline int skylight_sh_7_bands_degrees_13_7_evaluate_batch(
         if (!ready) {
             skylight_sh_7_bands_degrees_13_7_real others[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_OTHERS];
             skylight_sh_7_bands_degrees_13_7_others(x, others);
-            for (i = 0; i < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_FIRST *
+            for (i = 0; i < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_LEADING *
+                SKYLIGHT_SH_7_BANDS_DEGREES_13_7_WIDTH; ++i)
+                line[i] = others[0] * skylight_sh_7_bands_degrees_13_7_rows[i];
+            for (; i < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_FIRST *
                 SKYLIGHT_SH_7_BANDS_DEGREES_13_7_WIDTH; ++i) line[i] = 0;
 #define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_PRODUCT(start, count, other) \
     for (i = 0; i < (count) * SKYLIGHT_SH_7_BANDS_DEGREES_13_7_WIDTH; ++i) \
@@ -2353,7 +2358,7 @@ static inline int skylight_sh_7_bands_degrees_13_7_evaluate_batch(
             SKYLIGHT_SH_7_BANDS_DEGREES_13_7_WIDTH + i];
             SKYLIGHT_SH_7_BANDS_DEGREES_13_7_PRODUCTS(SKYLIGHT_SH_7_BANDS_DEGREES_13_7_PRODUCT)
 #undef SKYLIGHT_SH_7_BANDS_DEGREES_13_7_PRODUCT
-            for (i = 0; i < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_AXES; ++i) shared[i] = x[i];
+            memcpy(shared, x, sizeof shared);
             ready = 1;
         }
         scale = skylight_sh_7_bands_degrees_13_7_scale(x) *
