@@ -8,6 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from skylight_sh.export.template import template
+from skylight_sh.formula import printers
+from skylight_sh.formula.azimuth import TURN
+from skylight_sh.formula.printers import C_DOUBLE
 from skylight_sh.sphere import bands_of
 
 Array = NDArray[np.float64]
@@ -26,5 +29,6 @@ def write(coefficients: Array, names: Sequence[str], channels: Sequence[str], pr
         sizes=sizes,
         terms=int(np.prod(sizes)),
         numbers=[f"{value:.17e}" for value in coefficients.ravel().tolist()],
+        turned=printers.statements(TURN, C_DOUBLE, ["plus", "minus", "wave_cos[m]", "wave_sin[m]"])[1],
         parameters=", ".join(f"float {name}" for name in (names[0], "sun_azimuth", *names[1:])),
     )
