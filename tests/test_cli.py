@@ -92,7 +92,7 @@ def test_evaluate_warns_of_a_clamp(small_run: Result) -> None:
         "evaluate", str(small_run.folder / "export" / "skylight_sh.npz"), "--sun-zenith", "2", "--turbidity", "3"
     )
     assert code == 0
-    assert "clamped: sun_zenith [0, 1.5708], turbidity [2.5, 6]" in err
+    assert "sun_zenith = 2 lies outside the table, sun_zenith [0, 1.5708], turbidity [2.5, 6], and was clamped" in err
 
 
 def test_artifacts_commands(tmp_path: Path) -> None:

@@ -12,7 +12,7 @@ import json
 import math
 import zipfile
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, fields
+from dataclasses import MISSING, dataclass, field, fields
 from functools import cached_property, partial
 from pathlib import Path
 from typing import Any, BinaryIO
@@ -608,7 +608,7 @@ def read(path: str | Path | BinaryIO) -> Table:
     try:
         # NumPy takes anything that is no archive for a pickle, and would advise to trust it.
         if not zipfile.is_zipfile(path):
-            raise ValueError("it is no archive")
+            raise ValueError(_no_archive(path))
         with np.load(path, allow_pickle=False) as archive:
             header = json.loads(str(archive["header"]))
             found = header.get("format")
@@ -624,6 +624,14 @@ def read(path: str | Path | BinaryIO) -> Table:
     except (OSError, LookupError, AttributeError, TypeError, ValueError, EOFError, zipfile.BadZipFile) as error:
         raise ValueError(f"{path} is no table of this pipeline ({error}). Give the .npz that a run exported.") from error
     return table
+
+
+def _no_archive(path: str | Path | BinaryIO) -> str:
+    """Say what ``path`` is instead of an archive."""
+    place = Path(path) if isinstance(path, str | Path) else None
+    if place and place.is_dir():
+        return "it is a folder"
+    return "it is no archive" if not place or place.exists() else "there is no such file"
 
 
 # What a file may hold, by the name that stands in it under "is".
@@ -651,6 +659,9 @@ def _decoded(value: Any, arrays: Mapping[str, NDArray[Any]]) -> Any:
     unknown = sorted(set(value) - known - {"is"})
     if unknown:
         raise ValueError(f"its {value['is']} has {', '.join(unknown)}: a newer version wrote it")
+    missing = [f.name for f in fields(kind) if f.default is MISSING and f.default_factory is MISSING and f.name not in value]
+    if missing:
+        raise ValueError(f"its {value['is']} lacks {', '.join(missing)}")
     return kind(**{name: _decoded(part, arrays) for name, part in value.items() if name != "is"})
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -60,7 +61,7 @@ def evaluate(
 ) -> None:
     """Print the SH weights of one sun from TABLE, an exported .npz, as they are or in an engine's form.
 
-    Example: skylight-sh evaluate reports/reference/export/skylight_sh.npz --sun-zenith 0.8 --turbidity 3
+    Example: skylight-sh evaluate reports/preetham/export/skylight_sh.npz --sun-zenith 0.8 --turbidity 3
     """
     from skylight_sh import runtime
     from skylight_sh.export import engines
@@ -74,9 +75,12 @@ def evaluate(
             bands = engines.bands_for(PROFILES[form], loaded.table.bands, bands)
         weights, status = loaded.weights_and_status(bands=bands, window=window, **values)
         if status == runtime.INVALID:
-            raise UserError("An input is not a finite number. Give finite values.")
+            wrong = ", ".join(f"{name} = {value}" for name, value in values.items() if not math.isfinite(value))
+            raise UserError(f"An input is not a finite number: {wrong}. Give finite values.")
         if status == runtime.CLAMPED:
-            warn(f"an input lies outside the table and was clamped: {ranges(loaded)}.")
+            limits = dict(zip((a.name for a in loaded.table.axes), loaded.table.ranges, strict=True))
+            outside = [f"{n} = {values[n]:g}" for n, (low, high) in limits.items() if not low <= values[n] <= high]
+            warn(f"{', '.join(outside)} lies outside the table, {ranges(loaded)}, and was clamped.")
         if form:
             numbers = engines.convert(weights, PROFILES[form], axes=axes, exposure=1.0 if exposure is None else exposure)
             warn_of_halves(float(abs(numbers).max()))

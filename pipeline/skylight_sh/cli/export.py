@@ -55,7 +55,7 @@ def export(
 ) -> None:
     """Write a day's skies at a place on Earth from TABLE, an exported .npz, in an engine's form.
 
-    Example: skylight-sh export reports/reference/export/skylight_sh.npz --format unity --latitude 48.2
+    Example: skylight-sh export reports/preetham/export/skylight_sh.npz --format unity --latitude 48.2
     --longitude 16.4 --timezone Europe/Vienna --date 2024-06-21 --turbidity 3 --output day.json
     """
     from skylight_sh.export import day as days

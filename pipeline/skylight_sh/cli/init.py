@@ -54,4 +54,6 @@ def init(path: Path) -> None:
             file.write(_STARTER.format(name=name, path=path))
     except FileExistsError as error:
         raise UserError(f"{path} exists and is left as it is. Give another name.") from error
+    except OSError as error:
+        raise UserError(f"{path} cannot be written ({error.strerror}). Give a path in a folder that is there.") from error
     click.echo(f"{path}  next: skylight-sh run {path}")

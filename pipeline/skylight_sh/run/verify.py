@@ -40,8 +40,9 @@ def released_config(folder: Path) -> Config:
     try:
         told = json.loads((folder / "summary.json").read_text(encoding="utf-8"))["config"]
     except (OSError, ValueError, KeyError, TypeError) as error:
+        why = f"its summary.json has no {error}" if isinstance(error, KeyError) else str(error)
         raise ValueError(
-            f"{folder} holds no released result ({error}). Give a folder with summary.json and {SUMS}."
+            f"{folder} holds no released result ({why}). Give a folder with summary.json and {SUMS}."
         ) from error
     return parse(_without_nulls(told), str(folder / "summary.json"), folder)
 

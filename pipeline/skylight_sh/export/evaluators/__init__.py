@@ -87,6 +87,8 @@ def _broken(line: str, directive: bool) -> Iterator[str]:
     indent = line[: len(line) - len(line.lstrip())]
     inside = line.lstrip().startswith(("/*", "* ", "//"))
     start = {"/*": " * " if not directive else "   ", "* ": "* ", "//": "// "}.get(line.lstrip()[:2], "    ")
+    # What an #error says is one text.
+    start = "" if line.startswith("#error") else start
     room = COLUMNS - (2 if directive else 0)
     while len(line) > COLUMNS:
         place = _place(line, room, len(indent) + len(start), whole=directive or inside)
