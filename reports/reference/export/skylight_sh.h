@@ -121,7 +121,7 @@ SKYLIGHT_SH_API void skylight_sh_window(int bands,
 
 #elif SKYLIGHT_SH_H != 0xc998678d
 #error "Another table has the prefix skylight_sh already: export one of them under a prefix of its \
-    own."
+own."
 #endif /* SKYLIGHT_SH_H */
 
 #if (!defined(SKYLIGHT_SH_EXTERN) || defined(SKYLIGHT_SH_IMPLEMENTATION)) && \

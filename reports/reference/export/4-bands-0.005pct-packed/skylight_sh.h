@@ -51,18 +51,18 @@
 #if defined(SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_IMPLEMENTATION) && \
     !defined(SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_EXTERN)
 #error "Define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_EXTERN in every unit, \
-    SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_IMPLEMENTATION beside it in one."
+SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_IMPLEMENTATION beside it in one."
 #endif
 #if defined(SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_API) && \
     defined(SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_EXTERN) && \
     !defined(SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_DECLARED)
 #error "Define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_EXTERN before this file is included for the \
-    first time."
+first time."
 #endif
 #if defined(SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_DECLARED) && \
     !defined(SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_EXTERN)
 #error "Leave SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_EXTERN defined: this file was included with it \
-    before."
+before."
 #endif
 
 #ifndef SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_H
@@ -149,7 +149,7 @@ SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_API void skylight_sh_4_bands_0_005pct_packed
 
 #elif SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_H != 0x33854719
 #error "Another table has the prefix skylight_sh_4_bands_0_005pct_packed_4_bands_0_005pct_packed \
-    already: export one of them under a prefix of its own."
+already: export one of them under a prefix of its own."
 #endif /* SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_H */
 
 #if (!defined(SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_EXTERN) || \

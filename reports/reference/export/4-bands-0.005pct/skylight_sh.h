@@ -50,7 +50,7 @@
 #if defined(SKYLIGHT_SH_4_BANDS_0_005PCT_IMPLEMENTATION) && \
     !defined(SKYLIGHT_SH_4_BANDS_0_005PCT_EXTERN)
 #error "Define SKYLIGHT_SH_4_BANDS_0_005PCT_EXTERN in every unit, \
-    SKYLIGHT_SH_4_BANDS_0_005PCT_IMPLEMENTATION beside it in one."
+SKYLIGHT_SH_4_BANDS_0_005PCT_IMPLEMENTATION beside it in one."
 #endif
 #if defined(SKYLIGHT_SH_4_BANDS_0_005PCT_API) && defined(SKYLIGHT_SH_4_BANDS_0_005PCT_EXTERN) && \
     !defined(SKYLIGHT_SH_4_BANDS_0_005PCT_DECLARED)
@@ -132,7 +132,7 @@ SKYLIGHT_SH_4_BANDS_0_005PCT_API void skylight_sh_4_bands_0_005pct_window(int ba
 
 #elif SKYLIGHT_SH_4_BANDS_0_005PCT_H != 0xda5d53bd
 #error "Another table has the prefix skylight_sh_4_bands_0_005pct_4_bands_0_005pct already: export \
-    one of them under a prefix of its own."
+one of them under a prefix of its own."
 #endif /* SKYLIGHT_SH_4_BANDS_0_005PCT_H */
 
 #if (!defined(SKYLIGHT_SH_4_BANDS_0_005PCT_EXTERN) || \

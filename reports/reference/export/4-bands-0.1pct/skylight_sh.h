@@ -50,7 +50,7 @@
 #if defined(SKYLIGHT_SH_4_BANDS_0_1PCT_IMPLEMENTATION) && \
     !defined(SKYLIGHT_SH_4_BANDS_0_1PCT_EXTERN)
 #error "Define SKYLIGHT_SH_4_BANDS_0_1PCT_EXTERN in every unit, \
-    SKYLIGHT_SH_4_BANDS_0_1PCT_IMPLEMENTATION beside it in one."
+SKYLIGHT_SH_4_BANDS_0_1PCT_IMPLEMENTATION beside it in one."
 #endif
 #if defined(SKYLIGHT_SH_4_BANDS_0_1PCT_API) && defined(SKYLIGHT_SH_4_BANDS_0_1PCT_EXTERN) && \
     !defined(SKYLIGHT_SH_4_BANDS_0_1PCT_DECLARED)
@@ -132,7 +132,7 @@ SKYLIGHT_SH_4_BANDS_0_1PCT_API void skylight_sh_4_bands_0_1pct_window(int bands,
 
 #elif SKYLIGHT_SH_4_BANDS_0_1PCT_H != 0x5bfc17ae
 #error "Another table has the prefix skylight_sh_4_bands_0_1pct_4_bands_0_1pct already: export one \
-    of them under a prefix of its own."
+of them under a prefix of its own."
 #endif /* SKYLIGHT_SH_4_BANDS_0_1PCT_H */
 
 #if (!defined(SKYLIGHT_SH_4_BANDS_0_1PCT_EXTERN) || \

@@ -50,18 +50,18 @@
 #if defined(SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_IMPLEMENTATION) && \
     !defined(SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_EXTERN)
 #error "Define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_EXTERN in every unit, \
-    SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_IMPLEMENTATION beside it in one."
+SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_IMPLEMENTATION beside it in one."
 #endif
 #if defined(SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_API) && \
     defined(SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_EXTERN) && \
     !defined(SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_DECLARED)
 #error "Define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_EXTERN before this file is included for the first \
-    time."
+time."
 #endif
 #if defined(SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_DECLARED) && \
     !defined(SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_EXTERN)
 #error "Leave SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_EXTERN defined: this file was included with it \
-    before."
+before."
 #endif
 
 #ifndef SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_H
@@ -143,7 +143,7 @@ SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_API void skylight_sh_7_bands_1_5pct_packed_win
 
 #elif SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_H != 0xc5bbb1de
 #error "Another table has the prefix skylight_sh_7_bands_1_5pct_packed_7_bands_1_5pct_packed \
-    already: export one of them under a prefix of its own."
+already: export one of them under a prefix of its own."
 #endif /* SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_H */
 
 #if (!defined(SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_EXTERN) || \

@@ -50,18 +50,18 @@
 #if defined(SKYLIGHT_SH_7_BANDS_DEGREES_13_7_IMPLEMENTATION) && \
     !defined(SKYLIGHT_SH_7_BANDS_DEGREES_13_7_EXTERN)
 #error "Define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_EXTERN in every unit, \
-    SKYLIGHT_SH_7_BANDS_DEGREES_13_7_IMPLEMENTATION beside it in one."
+SKYLIGHT_SH_7_BANDS_DEGREES_13_7_IMPLEMENTATION beside it in one."
 #endif
 #if defined(SKYLIGHT_SH_7_BANDS_DEGREES_13_7_API) && \
     defined(SKYLIGHT_SH_7_BANDS_DEGREES_13_7_EXTERN) && \
     !defined(SKYLIGHT_SH_7_BANDS_DEGREES_13_7_DECLARED)
 #error "Define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_EXTERN before this file is included for the first \
-    time."
+time."
 #endif
 #if defined(SKYLIGHT_SH_7_BANDS_DEGREES_13_7_DECLARED) && \
     !defined(SKYLIGHT_SH_7_BANDS_DEGREES_13_7_EXTERN)
 #error "Leave SKYLIGHT_SH_7_BANDS_DEGREES_13_7_EXTERN defined: this file was included with it \
-    before."
+before."
 #endif
 
 #ifndef SKYLIGHT_SH_7_BANDS_DEGREES_13_7_H
@@ -143,7 +143,7 @@ SKYLIGHT_SH_7_BANDS_DEGREES_13_7_API void skylight_sh_7_bands_degrees_13_7_windo
 
 #elif SKYLIGHT_SH_7_BANDS_DEGREES_13_7_H != 0x8fba71c3
 #error "Another table has the prefix skylight_sh_7_bands_degrees_13_7_7_bands_degrees_13_7 \
-    already: export one of them under a prefix of its own."
+already: export one of them under a prefix of its own."
 #endif /* SKYLIGHT_SH_7_BANDS_DEGREES_13_7_H */
 
 #if (!defined(SKYLIGHT_SH_7_BANDS_DEGREES_13_7_EXTERN) || \
