@@ -21,13 +21,14 @@ ARCHITECTURE = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
 NUMERICS = {
     *("runtime", "registry", "reproducible", "formula", "sphere", "light"),
     *("probe", "quadrature", "fit", "table", "scene"),
+    *("mesh", "transfer", "lightmap", "reflectance", "render"),
 }
 # Captured light is read from files by one module, which nothing but itself is asked of.
 READS_FILES = "skylight_sh.probe.files"
 # What numerics stand on (annotated_types holds plain values, the ranges of fields), and what some lights and places ask for
 # where they are used.
 FOR_NUMERICS = sys.stdlib_module_names | {"numpy", "scipy", "annotated_types"}
-LATER = {"astral", "colour", "mitsuba"}
+LATER = {"astral", "colour", "mitsuba", "embreex", "flip_evaluator", "trimesh"}
 ROOMS_ABOVE = {"config", "run", "store", "report", "cli", "export", "studies"}
 
 

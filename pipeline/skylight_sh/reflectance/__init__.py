@@ -1,0 +1,1 @@
+"""How surfaces reflect: glossy lobes, microfacet models and measured tables, in SH."""

@@ -1,0 +1,1 @@
+"""Precomputed transfer: what the vertices of a mesh make of the light around it, in SH."""
