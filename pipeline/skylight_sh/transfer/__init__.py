@@ -1,1 +1,1 @@
-"""Precomputed transfer: what the vertices of a mesh make of the light around it, in SH."""
+"""Precomputed transfer (Sloan, Kautz and Snyder 2002): what the vertices of a mesh make of the light around it, in SH."""

@@ -38,7 +38,9 @@ class Rays:
     """A mesh made ready for rays. Threads may ask it at the same time.
 
     Embree computes in single precision: the mesh is moved and scaled to a box of size 1 about the origin before, so that a
-    mesh of any size, anywhere, is treated alike. Raises UserError where Embree is not installed.
+    mesh of any size, anywhere, is treated alike. It only says which triangle a ray meets: where on it is worked out in double
+    precision, since Embree's own figures have more or fewer digits by the processor's kind. Raises UserError where Embree is
+    not installed.
     """
 
     def __init__(self, mesh: Mesh) -> None:
@@ -50,6 +52,7 @@ class Rays:
         low, high = mesh.positions.min(axis=0), mesh.positions.max(axis=0)
         self.centre: Array = 0.5 * (low + high)
         self.size = float((high - low).max())
+        self._corners = mesh.corners
         self._scene: Any = EmbreeScene()
         # Kept: Embree reads the arrays where they are.
         self._mesh = TriangleMesh(
@@ -71,10 +74,12 @@ class Rays:
 
         What is nearer than ``near``, in the mesh's unit, does not count.
         """
-        found = self._scene.run(*self._started(origins, directions, near), query="INTERSECT", output=True)
-        triangle = np.asarray(found["primID"], dtype=np.int64)
-        distance = np.where(triangle >= 0, np.asarray(found["tfar"], np.float64) * self.size + near, np.inf)
-        return Hits(triangle, np.asarray(found["u"], np.float64), np.asarray(found["v"], np.float64), distance)
+        triangle = np.asarray(self._scene.run(*self._started(origins, directions, near), query="INTERSECT"), dtype=np.int64)
+        u, v, distance = np.zeros(triangle.size), np.zeros(triangle.size), np.full(triangle.size, np.inf)
+        met = triangle >= 0
+        along = np.broadcast_to(directions, origins.shape)[met]
+        u[met], v[met], distance[met] = _met(self._corners[triangle[met]], origins[met], along)
+        return Hits(triangle, u, v, distance)
 
     def _placed(self, points: Array) -> NDArray[np.float32]:
         return np.asarray((points - self.centre) / self.size, dtype=np.float32)
@@ -83,3 +88,19 @@ class Rays:
         along = np.ascontiguousarray(np.broadcast_to(directions, origins.shape), dtype=np.float32)
         starts = origins + near * directions if near else origins
         return np.ascontiguousarray(self._placed(starts)), along
+
+
+def _met(corners: Array, origins: Array, directions: Array) -> tuple[Array, Array, Array]:
+    """Return ``u``, ``v`` and distance ``(n,)`` of rays that meet triangles ``(n, 3, 3)`` (Moeller and Trumbore 1997).
+
+    A ray that meets an edge may miss it by a rounding; its weights are moved onto the triangle.
+    """
+    a = corners[:, 0]
+    b, c, from_a = corners[:, 1] - a, corners[:, 2] - a, origins - a
+    across, along = np.cross(directions, c), np.cross(from_a, b)
+    whole = np.einsum("nk,nk->n", across, b)
+    # A ray in its triangle's plane meets it nowhere in particular.
+    scale = np.divide(1.0, whole, out=np.zeros_like(whole), where=whole != 0.0)
+    u = np.clip(np.einsum("nk,nk->n", across, from_a) * scale, 0.0, 1.0)
+    v = np.clip(np.einsum("nk,nk->n", along, directions) * scale, 0.0, 1.0 - u)
+    return u, v, np.einsum("nk,nk->n", along, c) * scale
