@@ -38,7 +38,7 @@ class Rays:
     """A mesh made ready for rays. Threads may ask it at the same time.
 
     Embree computes in single precision: the mesh is moved and scaled to a box of size 1 about the origin before, so that a
-    mesh of any size, anywhere, is treated alike. It only says which triangle a ray meets; where it does is worked out in
+    mesh of any size, anywhere, is treated alike. It says which triangle a ray meets; where it does is worked out in
     double precision, since Embree's own figures have more or fewer digits by the processor's kind. Raises UserError where
     Embree is not installed.
     """
