@@ -3,7 +3,7 @@ CONFIG ?= configs/preetham.toml
 PYTHON ?= python3
 RUN := .venv/bin/python -m skylight_sh
 
-.PHONY: help fit test conformance bench speed stability fuzz verify machines noise mutants lint reference clean
+.PHONY: help fit test conformance bench speed stability lighting fuzz verify machines noise mutants lint reference clean
 
 help: ## List the targets
 	@grep -E '^[a-z]+:.*## ' Makefile | sed -E 's/^([a-z]+):.*## /\1: /' | column -t -s ':' || true
@@ -22,6 +22,9 @@ bench: .venv/run.stamp ## Measure error against time
 
 stability: .venv/dev.stamp ## Stress the numerics
 	@$(RUN) stability $(CONFIG)
+
+lighting: .venv/run.stamp ## Measure what lit surfaces really lose by the tables of CONFIG; CONFIG=--all: of every shipped config
+	@.venv/bin/python -m skylight_sh.studies.lighting $(CONFIG)
 
 fuzz: .venv/run.stamp ## Call headers with 10^7 inputs of any bits each (twenty minutes; needs gcc and clang)
 	@.venv/bin/python -m skylight_sh.studies.stability.fuzz 1e7

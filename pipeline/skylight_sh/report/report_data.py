@@ -69,8 +69,9 @@ class ReportData:
     """What pictures and page are made of.
 
     ``sample`` gives a set's true weights ``(channels, count)``; ``fronts`` the Pareto front of bytes and E_mean,
-    ``(points, 2)``, for each number of bands and layout; ``origins`` what the stage of that name found, if it ran;
-    ``held_out`` counts the sets that errors were measured on; ``surroundings`` are by the number of bands.
+    ``(points, 2)``, for each number of bands and layout; ``origins`` and ``lighting`` what the stages of these names
+    found, if they ran; ``held_out`` counts the sets that errors were measured on; ``surroundings`` are by the number of
+    bands.
     """
 
     name: str
@@ -94,6 +95,7 @@ class ReportData:
     settings: Mapping[str, Any]
     rule: Mapping[str, Any]
     surroundings: Mapping[int, Surroundings]
+    lighting: Mapping[str, NDArray[Any]] | None = None
 
     @property
     def best(self) -> Entry:

@@ -31,6 +31,15 @@ def figure(width: float, height: float) -> Figure:
     return Figure(figsize=(width, height), dpi=_DPI, layout="constrained")
 
 
+def legible(width: float) -> float:
+    """Return the least size of letters, in points, that a figure ``width`` inches wide has: 11 pixels when 360 are shown.
+
+    >>> legible(10.0)
+    22.0
+    """
+    return 11.0 * width * 72.0 / 360.0
+
+
 def png(drawn: Figure) -> bytes:
     """Return a figure's bytes; equal figures give equal bytes."""
     out = io.BytesIO()

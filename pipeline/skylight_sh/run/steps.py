@@ -26,6 +26,7 @@ RULE, GRID, VERIFICATION, RANDOM, HELD_OUT = (
 )
 PROBE, VARIABLES, SURROUNDINGS = (f"truth/{part}" for part in ("probe", "variables", "surroundings"))
 ORIGINS = "fit/origins"
+LIGHTING = "measure/lighting"
 
 
 def steps(config: Config) -> list[Step]:
@@ -33,7 +34,7 @@ def steps(config: Config) -> list[Step]:
 
     What the config's own pictures and lamps may still have wrong with them is told first.
     """
-    stages = (_surroundings, _truth, _variables, _fit, _origins, _select, _measure, _export, _report)
+    stages = (_surroundings, _truth, _variables, _fit, _origins, _select, _measure, _lighting, _export, _report)
     return [step for stage in stages for step in stage(config)]
 
 
@@ -47,6 +48,11 @@ def shows_origins(config: Config) -> bool:
     scene = config.scene
     shown = "origins" in config.report.figures
     return shown and scene.quantity == "radiance" and scene.ground == "black" and not scene.sun_disc
+
+
+def shows_lighting(config: Config) -> bool:
+    """Say whether the report shows what lit surfaces lose."""
+    return "lighting_error" in config.report.figures
 
 
 def selected_on(config: Config) -> tuple[str, ...]:
@@ -156,6 +162,18 @@ def _measure(config: Config) -> Iterator[Step]:
     yield _step("measure", needed, {}, "measure:make", config)
 
 
+def _lighting(config: Config) -> Iterator[Step]:
+    """Yield the step, if the report shows its picture."""
+    if shows_lighting(config):
+        parameters = {
+            "light": _light(config),
+            "ranges": [(axis.name, axis.range) for axis in config.axes],
+            "scene": config.scene.model_dump(mode="json"),
+            "tolerance": config.truth.tolerance,
+        }
+        yield _step(LIGHTING, ("select",), parameters, "lighting:make", config)
+
+
 def _export(config: Config) -> Iterator[Step]:
     parameters = {"config": settings(config), "targets": config.export.targets, "version": __version__}
     yield _step("export", ("select", "measure"), parameters, "export:make", config)
@@ -163,7 +181,7 @@ def _export(config: Config) -> Iterator[Step]:
 
 def _report(config: Config) -> Iterator[Step]:
     parameters = {"config": settings(config), "drawing": drawing()}
-    explained = (ORIGINS,) if shows_origins(config) else ()
+    explained = ((ORIGINS,) if shows_origins(config) else ()) + ((LIGHTING,) if shows_lighting(config) else ())
     needed = (RULE, VERIFICATION, "fit", "select", "measure", *_searched(config), *_surrounded(config), *explained)
     yield _step("report", needed, parameters, "report:make", config)
 

@@ -21,6 +21,7 @@ PICTURES: Registry[Picture] = Registry(
         "daylight": "skylight_sh.report.figures.daylight:PICTURE",
         "ringing": "skylight_sh.report.figures.ringing:PICTURE",
         "gibbs": "skylight_sh.report.figures.gibbs:PICTURE",
+        "lighting_error": "skylight_sh.report.figures.lighting_error:PICTURE",
         "encoding": "skylight_sh.report.figures.encoding:PICTURE",
     }
 )

@@ -1,0 +1,79 @@
+"""Lighting: what every table loses of the light on surfaces, on sets of its own that neither fit nor selection saw."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import numpy as np
+from numpy.typing import NDArray
+
+from skylight_sh.config.schema import Config
+from skylight_sh.config.wanted import table_names
+from skylight_sh.fit.errors import Reference
+from skylight_sh.light import Fixed, Light, Luminance
+from skylight_sh.quadrature import parameter_points, sampling
+from skylight_sh.quadrature.registry import suited
+from skylight_sh.run.executors import Advance, map_tasks
+from skylight_sh.run.from_config import read_table, reference
+from skylight_sh.run.plan import Inputs
+from skylight_sh.sphere import Harmonics
+from skylight_sh.store.dataset import Dataset, Variable
+from skylight_sh.table import lighting
+from skylight_sh.table.lighting import Lighting, Surfaces
+
+Array = NDArray[np.float64]
+
+# Irradiance of a sky of so many bands is within 1e-4 of the sky's own.
+_BANDS, _NODES = 32, 64
+_SETS, _EDGE, _SEED = 512, 32, 4_711
+_SETS_PER_TASK = 64
+
+
+def make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
+    """Measure every table."""
+    on = surfaces_of(config, advance)
+    found: dict[str, Variable] = {"sets": Variable(("set", "axis"), on.light.parameters)}
+    for name in table_names(config):
+        measured = lighting.measure(read_table(inputs["select"], f"tables/{name}"), on)
+        found |= {f"tables/{name}/{key}": Variable(("set",), values) for key, values in arrays(measured).items()}
+    return Dataset(found, {"bands": _BANDS, "seed": _SEED})
+
+
+def arrays(measured: Lighting) -> dict[str, Array]:
+    """Return what was measured as arrays ``(sets,)`` by name: ``table/local``, ``bands/of_least``, ``bound`` and so on."""
+    found = {
+        f"{what}/{key}": values
+        for what in ("table", "channel", "bands")
+        for key, values in dataclasses.asdict(getattr(measured, what)).items()
+    }
+    return found if measured.bound is None else {**found, "bound": measured.bound}
+
+
+def surfaces_of(config: Config, advance: Advance) -> Surfaces:
+    """Return surfaces below the config's light, sampled as ``sample`` does."""
+    return lighting.surfaces(sample(config, advance), config.source.luminance_row, config.scene.quantity)
+
+
+def sample(config: Config, advance: Advance) -> Reference:
+    """Sample the config's light for 32 bands: 512 scrambled Sobol sets, 32 on each edge of the ranges, and the corners."""
+    light, names = _light(config), tuple(axis.name for axis in config.axes)
+    sets = parameter_points.held_out([axis.range for axis in config.axes], _SETS, _EDGE, _SEED)
+    harmonics = Harmonics(_BANDS, light.hints.mirrored)
+    blocks = parameter_points.chunks(sets, sampling.peak_of(light, names), _SETS_PER_TASK)
+    rule = suited(light, _BANDS)
+    jobs = [sampling.Job(light, names, sets[block], _NODES, harmonics, rule, config.truth.tolerance) for block in blocks]
+    results = map_tasks(
+        sampling.sample_block, jobs, executor=config.run.executor, workers=config.run.workers, advance=advance
+    )
+    weights, least = np.empty((len(sets), len(light.channels), harmonics.count)), np.empty(len(sets))
+    for block, part in zip(blocks, results, strict=True):
+        weights[block], least[block] = part.weights, part.least
+    return reference(config, sets, weights, harmonics.degrees, least)
+
+
+def _light(config: Config) -> Light:
+    """Return the config's light with its hints, also where the fit is to know nothing of it: they spare time alone."""
+    light: Light = config.light
+    if config.scene.fixed:
+        light = Fixed(light, tuple(sorted(config.scene.fixed.items())))
+    return Luminance(light) if config.scene.channels == "luminance" and len(light.channels) > 1 else light
