@@ -1,0 +1,1 @@
+"""Analytic reflectance models, a file each; ``reflectance.MODELS`` names them."""
