@@ -22,12 +22,15 @@ TEXT = (
     "writing out its simplification; a recurrence on the weights themselves needs less. Ours pays a few more for keeping "
     "its digits at every radius. Microseconds are for 10 bands: zonal weights from the formula or from a table of 1,024 "
     "angles, interpolated, whose `error` is the largest of any light, over sqrt((2l+1) / 4 pi) times its solid angle; "
-    "and all SH weights of so many lights, which also turns them."
+    "and all SH weights of so many lights, which also turns them: at one receiver, which is a frame of lights far away, and at "
+    "a thousand, as a scene with its lights nearby needs them, each frame anew (the paper's figure 1: ten lights on 10 "
+    "bands)."
 )
 Array = NDArray[np.float64]
 
 _BANDS = 10
 _TABLE = 1024
+_LIGHTS, _RECEIVERS = 10, 1_000
 
 
 @dataclass
@@ -138,7 +141,18 @@ def section(repeats: int) -> Section:
         for title, seconds in medians(calls, repeats, at_least=1e-3).items():
             error = lost if title == "zonal, table" else None
             rows.append(_row(f"{title}, {lights} lights", microseconds=1e6 * seconds, error=error))
+    rows.append(_nearby(repeats))
     return Section("discs", "Spherical lights", TEXT, rows)
+
+
+def _nearby(repeats: int) -> Row:
+    """Time the weights of ten lights at each of a thousand receivers."""
+    draw = np.random.default_rng(4)
+    centres, radii = draw.normal(size=(_LIGHTS, 3)) + np.array([0.0, 0.0, 8.0]), draw.random(_LIGHTS)
+    receivers = draw.normal(size=(_RECEIVERS, 1, 3))
+    call = partial(spherical_lights.spheres, centres, radii, _BANDS, receivers)
+    seconds = medians({"nearby": call}, repeats)["nearby"]
+    return _row(f"all weights, {_LIGHTS} lights at {_RECEIVERS:,} receivers", microseconds=1e6 * seconds)
 
 
 def _row(
