@@ -22,9 +22,9 @@ TEXT = (
     "writing out its simplification; a recurrence on the weights themselves needs less. Ours pays a few more for keeping "
     "its digits at every radius. Microseconds are for 10 bands: zonal weights from the formula or from a table of 1,024 "
     "angles, interpolated, whose `error` is the largest of any light, over sqrt((2l+1) / 4 pi) times its solid angle; "
-    "and all SH weights of so many lights, which also turns them: at one receiver, which is a frame of lights far away, and at "
-    "a thousand, as a scene with its lights nearby needs them, each frame anew (the paper's figure 1: ten lights on 10 "
-    "bands)."
+    "and all SH weights of so many lights, which also turns them: at one receiver, which is a frame of lights far away, "
+    "and at a thousand, as a scene with its lights nearby needs them, each frame anew (the paper's figure 1: ten lights on "
+    "10 bands)."
 )
 Array = NDArray[np.float64]
 
