@@ -15,6 +15,7 @@ from skylight_sh.light.preetham import Preetham
 from skylight_sh.quadrature import sun_centred
 from skylight_sh.quadrature.samples import NotConvergedError
 from skylight_sh.reflectance import MODELS, brute_force, tables, tabulated
+from skylight_sh.reflectance._as_light import Reflection
 from skylight_sh.reflectance.measured import Measured, half_and_difference, reciprocity, zeniths_and_azimuth
 from skylight_sh.reflectance.models.ggx import Ggx
 from skylight_sh.reflectance.models.lambert import Lambert
@@ -440,3 +441,12 @@ def test_mpmath_agrees_on_the_furnace_at_an_angle() -> None:
     exact = 2 * sum(wk * xk * ring(xk) for xk, wk in zip(x.tolist(), w.tolist(), strict=True))
     table = tabulated.tabulate(model, 1, zeniths=4)
     assert table.albedo[2, 0, 0] == pytest.approx(exact, rel=1e-5)
+
+
+def test_narrow_lobes_converge_as_the_page_says() -> None:
+    light = Reflection(Ggx(0.01, WHITE))
+    views = {"view_zenith": np.radians([[0.0], [50.0], [85.0]])}
+    coarse, fine = (
+        sun_centred.project(light, views, nodes=n, harmonics=sphere.Harmonics.even(7)).weights for n in (240, 360)
+    )
+    assert np.abs(coarse - fine).max() < 1e-10 * np.abs(fine).max()

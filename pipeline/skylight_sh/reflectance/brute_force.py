@@ -85,19 +85,20 @@ def reflected(
 ) -> Array:
     """Return what surfaces reflect towards the eye, ``(p, channels)``, under a ``radiance`` of directions in the world.
 
+    Channels are those of the radiance, or the model's where one of them has a single one.
     ``normals``, ``views`` and ``tangents`` are unit vectors ``(p, 3)``. Each is a Gauss rule over the directions above the
     surface, polar about the mirror direction; a jump of the light costs accuracy of the order of a node's share.
     """
     frames, height = view_frames(normals, views)
-    out = np.empty((len(normals), model.channels))
+    found = []
     for k, (frame, up) in enumerate(zip(frames, height.tolist(), strict=True)):
         half, areas = sun_centred.half_sky(float(np.arccos(np.clip(up, 0.0, 1.0))), nodes)
         world = np.concatenate([half, half * np.array([1.0, -1.0, 1.0])]) @ frame
         axes = frame if tangents is None else np.stack([tangents[k], np.cross(normals[k], tangents[k]), normals[k]])
         values = model.values(world @ axes.T, views[k] @ axes.T)
         lit = radiance(world) * (world @ normals[k] * np.tile(0.5 * areas, 2))[:, np.newaxis]
-        out[k] = np.sum(values * lit, axis=0)
-    return out
+        found.append(np.sum(values * lit, axis=0))
+    return np.stack(found)
 
 
 def relative_rms(found: Array, exact: Array) -> float:
