@@ -1,0 +1,117 @@
+"""Where the rays of a vertex start, and whether it can see out at all."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import sparse
+
+from skylight_sh.mesh import Mesh
+from skylight_sh.transfer.rays import Rays
+from skylight_sh.transfer.sampling import chunks, cosine_fibonacci, frames, generator
+
+Array = NDArray[np.float64]
+Index = NDArray[np.int64]
+Bool = NDArray[np.bool_]
+
+# Of the way from a vertex to the middle of its triangle: off the edges that it shares with others.
+_INSIDE = 0.02
+# Of the mesh's size, above the surface: beyond what single precision loses.
+_ABOVE = 2e-6
+_PROBES = 64
+_CHUNK = 4096
+# A vertex that sees this share of back faces lies inside something.
+_BURIED = 0.25
+_PURPOSE = 3
+
+
+@dataclass(frozen=True)
+class StartPoints:
+    """Where rays start, ``(v, 3)``; ``behind`` ``(v,)`` is the share of a vertex's rays that meet a triangle from behind.
+
+    ``buried`` ``(v,)`` says which vertices lie in contact lines or within solids, whatever triangle of theirs the rays start
+    from: what rays say there is of the solid's inside.
+    """
+
+    points: Array
+    behind: Array
+    buried: Bool
+
+
+def start_points(mesh: Mesh, rays: Rays, seed: int = 0) -> StartPoints:
+    """Return where the rays of each vertex start: 2 % inside a triangle of its own from which it sees few back faces.
+
+    A vertex where two solids meet lies on both; a step into its own triangles tells on which side it is. The largest
+    triangle is tried first, then the others, for those that still see the inside of something.
+    """
+    own = _incident(mesh)
+    count = len(mesh.positions)
+    points = mesh.positions + mesh.normals * (_ABOVE * rays.size)
+    behind = np.ones(count)
+    for turn in range(own.shape[1]):
+        to_try = np.flatnonzero((behind > _BURIED) & (own[:, turn] >= 0))
+        if not to_try.size:
+            continue
+        triangles = own[to_try, turn]
+        middle = mesh.corners[triangles].mean(axis=1)
+        moved = (1.0 - _INSIDE) * mesh.positions[to_try] + _INSIDE * middle + _ABOVE * rays.size * mesh.facing[triangles]
+        found = _behind(mesh, rays, moved, mesh.normals[to_try], seed)
+        better = found < behind[to_try]
+        points[to_try[better]], behind[to_try[better]] = moved[better], found[better]
+    return StartPoints(points, behind, behind > _BURIED)
+
+
+def healing(mesh: Mesh, buried: Bool) -> sparse.csr_array:
+    """Return the matrix ``(v, v)`` that gives buried vertices the mean of their nearest valid neighbours along the surface.
+
+    Rings of neighbours are walked outwards until they meet valid vertices; a piece that is buried whole gets nothing, its
+    rows are empty.
+    """
+    count = len(buried)
+    edges = mesh.triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2)
+    ones = np.ones(2 * len(edges))
+    ends = (np.concatenate([edges[:, 0], edges[:, 1]]), np.concatenate([edges[:, 1], edges[:, 0]]))
+    neighbours = sparse.csr_array((ones, ends), shape=(count, count))
+    neighbours.data[:] = 1.0
+    known = ~buried
+    heal = sparse.csr_array(sparse.diags_array(known.astype(np.float64)))
+    while True:
+        reached = neighbours @ known.astype(np.float64)
+        ring = ~known & (reached > 0.0)
+        if not ring.any():
+            return heal
+        share = sparse.diags_array(np.where(ring, 1.0 / np.maximum(reached, 1.0), 0.0))
+        heal = sparse.csr_array(heal + share @ neighbours @ sparse.diags_array(known.astype(np.float64)) @ heal)
+        known = known | ring
+
+
+def _incident(mesh: Mesh, most: int = 8) -> Index:
+    """Return up to ``most`` triangles of each vertex ``(v, most)``, the largest first, -1 where there are no more."""
+    a, b, c = np.moveaxis(mesh.corners, 1, 0)
+    # Rounded, so that triangles of one size keep their order on every machine.
+    area = np.linalg.norm(np.cross(b - a, c - a), axis=-1).astype(np.float32)
+    vertex, triangle = mesh.triangles.ravel(), np.repeat(np.arange(len(mesh.triangles)), 3)
+    order = np.lexsort((triangle, -area[triangle], vertex))
+    vertex, triangle = vertex[order], triangle[order]
+    first = np.searchsorted(vertex, np.arange(len(mesh.positions)))
+    place = np.arange(len(vertex)) - first[vertex]
+    own = np.full((len(mesh.positions), most), -1)
+    few = place < most
+    own[vertex[few], place[few]] = triangle[few]
+    return own
+
+
+def _behind(mesh: Mesh, rays: Rays, points: Array, normals: Array, seed: int) -> Array:
+    """Return the share ``(n,)`` of rays that meet a triangle from behind."""
+    share = np.empty(len(points))
+    facing = mesh.facing
+    local = cosine_fibonacci(_PROBES)
+    for part in chunks(len(points), _CHUNK):
+        spins = 2.0 * np.pi * generator(seed, _PURPOSE, part.start).random(part.stop - part.start)
+        along = (local @ frames(normals[part], spins).transpose(0, 2, 1)).reshape(-1, 3)
+        hits = rays.nearest(np.repeat(points[part], _PROBES, axis=0), along)
+        back = hits.met & (np.einsum("nk,nk->n", along, facing[hits.triangle]) > 0.0)
+        share[part] = back.reshape(-1, _PROBES).mean(axis=1)
+    return share
