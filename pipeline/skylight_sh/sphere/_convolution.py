@@ -93,7 +93,7 @@ def nonnegative_irradiance(packed: NDArray[np.floating], normals: Array) -> Arra
     """Evaluate a packed two-band irradiance so that it is never negative.
 
     ``packed`` is ``(..., 4)`` as ``packed_irradiance`` returns it, ``normals`` unit vectors ``(n, 3)``; returns
-    ``(..., n)``. Raises ValueError for another shape.
+    ``(..., n)``. Normals ``(..., n, 3)`` broadcast against the leading axes. Raises ValueError for another shape.
 
     With ``R0 = packed[0]``, ``R1`` half the vector part, ``r = |R1| / R0``, ``q = (1 + cos(R1, n)) / 2``: ``R0 (a + (1 - a)
     (p + 1) q**p)``, p = 1 + 2r, a = (1 - r) / (1 + r) (Hazel 2017, "Reconstructing Diffuse Lighting from Spherical Harmonic
@@ -112,7 +112,8 @@ def nonnegative_irradiance(packed: NDArray[np.floating], normals: Array) -> Arra
         raise ValueError(f"Invalid packed irradiance of shape {known.shape}. Should be (..., 4).")
     constant = np.maximum(known[..., :1], 0.0)
     # y, z, x of the packed order.
-    along = known[..., 1:] @ np.asarray(normals, dtype=np.float64)[:, [1, 2, 0]].T
+    towards = np.asarray(normals, dtype=np.float64)[..., [1, 2, 0]].swapaxes(-1, -2)
+    along = known[..., 1:] @ towards if towards.ndim == 2 else (known[..., np.newaxis, 1:] @ towards)[..., 0, :]
     length = np.linalg.norm(known[..., 1:], axis=-1, keepdims=True)
     cosine = np.divide(along, length, out=np.zeros_like(along), where=length > 0)
     ratio = np.divide(0.5 * length, constant, out=np.zeros_like(length), where=constant > 0)
