@@ -10,12 +10,15 @@ from numpy.typing import NDArray
 
 from skylight_sh import sphere
 from skylight_sh.lightmap.texels import Mask, Texels, world_normals
+from skylight_sh.transfer.sampling import frames
 
 Array = NDArray[np.float64]
-Form = Literal["linear", "nonnegative"]
+Form = Literal["linear", "clamped", "nonnegative"]
 
 # Of the mean, below which a negative irradiance is rounding.
 _ROUNDING = 1e-12
+# Normals that a fit looks at.
+_FITTED = 100
 
 
 @dataclass(frozen=True)
@@ -57,9 +60,10 @@ def evaluate(weights: NDArray[np.floating], normals: Array, form: Form = "linear
     """Return the irradiance ``(..., channels)`` towards ``normals`` ``(..., 3)``, unit vectors, not divided by pi.
 
     ``weights`` ``(..., channels, M*M)`` are the incident radiance's; leading axes broadcast. ``linear`` is the sum of the
-    expansion: with two bands ``packed[0] + y packed[1] + z packed[2] + x packed[3]``. ``nonnegative`` never falls below 0:
-    with two bands the curve of ``sphere.nonnegative_irradiance``, which keeps the mean and a single light's peak; with more
-    the least window of ``sphere.nonnegative_smoothing`` that all channels of a texel need, so that colours stay. Raises
+    expansion: with two bands ``packed[0] + y packed[1] + z packed[2] + x packed[3]``. ``clamped`` is that, or 0 where it is
+    negative. ``nonnegative`` is not negative by itself: with two bands the curve of ``sphere.nonnegative_irradiance``, which
+    keeps the mean and a single light's peak; with more the expansion of ``deringed`` weights. That window costs far more
+    than a clamp where a surface's own lower half is dark, as it pays for normals that look into the surface. Raises
     ValueError for another form, and where a channel's mean is negative and no window helps.
 
     >>> up, down = np.array([0.0, 0.0, 1.0]), np.array([0.0, 0.0, -1.0])
@@ -72,19 +76,48 @@ def evaluate(weights: NDArray[np.floating], normals: Array, form: Form = "linear
     if form not in get_args(Form):
         raise ValueError(f"Invalid form {form!r}. Should be one of {', '.join(get_args(Form))}.")
     bands = sphere.bands_of(weights)
-    if form == "linear" or bands < 2:
-        return _linear(weights, normals)
+    if form != "nonnegative":
+        found = _linear(weights, normals)
+        return found if form == "linear" else np.maximum(found, 0.0)
     if bands == 2:
         packed = sphere.packed_irradiance(weights)
         return sphere.nonnegative_irradiance(packed, normals[..., np.newaxis, np.newaxis, :])[..., 0]
     return _linear(deringed(weights), normals)
 
 
+def fitted(weights: NDArray[np.floating], normals: Array, bands: int, tilt: float = np.pi / 3) -> Array:
+    """Return weights ``(..., channels, M*M)`` of ``bands`` bands whose irradiance is nearest for the normals of a relief.
+
+    ``weights`` ``(..., channels, K*K)`` are incident radiance of more bands, ``normals`` ``(..., 3)`` the surface's own.
+    Mere truncation is nearest over all normals, half of which look into the surface; this is least squares over those within
+    ``tilt`` (radians, below pi/2) of the surface's. Raises ValueError for another tilt, and for more bands than there are.
+
+    Light of three bands about the normal, seen within 60 degrees of it:
+
+    >>> up, edge = np.array([0.0, 0.0, 1.0]), np.array([[0.0, 0.6, 0.8]])
+    >>> light = np.array([[1.0, 0.0, 1.2, 0.0, 0.0, 0.0, 0.8, 0.0, 0.0]])
+    >>> [evaluate(w, edge).round(3).tolist() for w in (light, light[:, :4], fitted(light, up, 2))]
+    [[[2.051]], [[1.869]], [[2.062]]]
+    """
+    held = sphere.bands_of(weights)
+    if not 0 < tilt < np.pi / 2 or not 2 <= bands <= held:
+        raise ValueError(
+            f"Invalid tilt {tilt!r} or bands {bands}. Should be radians below pi/2, and from 2 to {held} bands."
+        )
+    # Even over the cap, enough of them for any of so few bands.
+    cap = sphere.spiral(round(2 * _FITTED / (1 - np.cos(tilt))))[:_FITTED]
+    n = np.asarray(normals, dtype=np.float64)
+    around = cap @ frames(n.reshape(-1, 3), np.zeros(n.size // 3)).transpose(0, 2, 1)
+    towards = sphere.irradiance(sphere.basis(around / np.linalg.norm(around, axis=-1, keepdims=True), held))
+    matrices = np.linalg.pinv(towards[..., : bands * bands]) @ towards
+    return np.asarray(weights @ matrices.reshape(*n.shape[:-1], *matrices.shape[1:]).swapaxes(-1, -2))
+
+
 def deringed(weights: NDArray[np.floating]) -> Array:
     """Return weights ``(..., channels, M*M)`` whose irradiance is nowhere negative: one window for a texel's channels.
 
     ``sphere.nonnegative_smoothing`` of each channel, and for the texel the largest; where another channel falls below
-    0 by that, as it may, twice as much until none does. Some milliseconds a texel.
+    0 by that, as it may, twice as much until none does. A tenth of a second a texel.
 
     >>> light = np.array([[1.0, 0.0, 2.0, 0.0]])
     >>> float(sphere.minimum(sphere.irradiance(deringed(light)))[0][0].round(6)) >= 0.0

@@ -18,11 +18,13 @@ from skylight_sh.lightmap.texels import Texels
 from skylight_sh.mesh import Mesh
 from skylight_sh.sphere import bands_of, basis, check_bands, spiral
 from skylight_sh.transfer.rays import Rays
+from skylight_sh.transfer.sampling import chunks, generator
 
 Array = NDArray[np.float64]
 
-# Texels of a chunk; each has a seed of its own, so that neither their number nor their order changes a bit.
+# Texels of a chunk; each chunk has random numbers of its own.
 _CHUNK = 16
+_PURPOSE = 4
 
 
 @dataclass(frozen=True)
@@ -140,9 +142,8 @@ def meet(mesh: Mesh, rays: Rays, texels: Texels, sampling: Sampling) -> Iterator
     points, frames = texels.points[texels.covered], texels.frames[texels.covered]
     local = spiral(2 * sampling.rays)[: sampling.rays]
     facing = mesh.facing
-    for chunk, start in enumerate(range(0, len(points), _CHUNK)):
-        block = slice(start, min(start + _CHUNK, len(points)))
-        turn = np.random.default_rng((sampling.seed, chunk)).uniform(0, 2 * np.pi, (block.stop - start, 1))
+    for block in chunks(len(points), _CHUNK):
+        turn = 2 * np.pi * generator(sampling.seed, _PURPOSE, block.start).random((block.stop - block.start, 1))
         c, s = np.cos(turn), np.sin(turn)
         x, y, z = local.T
         spun = np.stack(np.broadcast_arrays(c * x - s * y, s * x + c * y, z), axis=-1)

@@ -27,12 +27,21 @@ def write(table: Table) -> bytes:
     """Return the bytes of ``table`` as an NPZ archive; equal tables give equal bytes."""
     arrays: dict[str, NDArray[Any]] = {}
     header = {"format": FORMAT, "table": _encoded(table, "table", arrays)}
+    return archive({"header": np.array(json.dumps(header, sort_keys=True)), **arrays})
+
+
+def archive(arrays: Mapping[str, NDArray[Any]]) -> bytes:
+    """Return the bytes of an NPZ of ``arrays``: in their order, uncompressed, without dates.
+
+    >>> archive({"one": np.ones(3)}) == archive({"one": np.ones(3)})
+    True
+    """
     out = io.BytesIO()
-    with zipfile.ZipFile(out, "w", zipfile.ZIP_STORED) as archive:
-        for key, array in {"header": np.array(json.dumps(header, sort_keys=True)), **arrays}.items():
+    with zipfile.ZipFile(out, "w", zipfile.ZIP_STORED) as file:
+        for key, array in arrays.items():
             member = io.BytesIO()
             np.lib.format.write_array(member, np.ascontiguousarray(array) if array.ndim else array, allow_pickle=False)
-            archive.writestr(zipfile.ZipInfo(f"{key}.npy", _NO_DATE), member.getvalue())
+            file.writestr(zipfile.ZipInfo(f"{key}.npy", _NO_DATE), member.getvalue())
     return out.getvalue()
 
 

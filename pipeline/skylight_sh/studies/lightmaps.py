@@ -1,0 +1,130 @@
+"""``python -m skylight_sh.studies.lightmaps``: what a lightmap of few bands loses against baking each normal.
+
+A street between two facades under the exact Preetham sky at turbidity 3, with three bounces; texels on one facade, each with
+normals tilted up to 60 degrees from it. Brute force sends other rays, and expands nothing.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from skylight_sh.lightmap import evaluation, incident, texels
+from skylight_sh.mesh import Mesh, Part
+from skylight_sh.reflectance.brute_force import relative_rms
+from skylight_sh.studies.materials import SUNS, surroundings
+from skylight_sh.transfer import Options, Rays, precompute
+
+Array = NDArray[np.float64]
+
+BANDS = (2, 3, 5)
+TILTS = np.radians([0.0, 20.0, 40.0, 60.0])
+_AROUND = 6
+_TRANSFER = Options(bands=7, rays=256, gather_rays=128, bounces=3)
+_ALBEDO = {"facade": (0.6, 0.5, 0.4), "opposite": (0.7, 0.35, 0.25), "ground": (0.25, 0.25, 0.25)}
+
+
+@dataclass(frozen=True)
+class Street:
+    """A scene and what lights it: the mesh, its rays, texels, a light from all sides, and what vertices send back."""
+
+    mesh: Mesh
+    rays: Rays
+    texels: texels.Texels
+
+
+def street(rows: int = 4, columns: int = 6) -> Street:
+    """Return two facades 20 long and 6 high, 5 apart along x, and the ground between, in patches of about 1."""
+    sides = {
+        # Origin, the side along u and the side along v, so that u x v points into the street.
+        "facade": ((0.0, -10.0, 0.0), (0.0, 20.0, 0.0), (0.0, 0.0, 6.0)),
+        "opposite": ((5.0, 10.0, 0.0), (0.0, -20.0, 0.0), (0.0, 0.0, 6.0)),
+        "ground": ((0.0, -10.0, 0.0), (5.0, 0.0, 0.0), (0.0, 20.0, 0.0)),
+    }
+    pieces = [_patches(np.array(sides[name]), np.array(albedo)) for name, albedo in _ALBEDO.items()]
+    before = np.cumsum([0, *(len(piece.positions) for piece in pieces)])
+    mesh = Mesh(
+        positions=np.concatenate([piece.positions for piece in pieces]),
+        normals=np.concatenate([piece.normals for piece in pieces]),
+        albedo=np.concatenate([piece.albedo for piece in pieces]),
+        triangles=np.concatenate([piece.triangles + k for piece, k in zip(pieces, before, strict=False)]),
+        part=np.repeat(np.arange(3), [len(piece.triangles) for piece in pieces]),
+        parts=tuple(Part(name) for name in sides),
+        uv=np.concatenate([piece.uv for piece in pieces]),
+    )
+    return Street(mesh, Rays(mesh), texels.chart(mesh, "facade", rows, columns))
+
+
+def tilted(frames: Array) -> Array:
+    """Return normals ``(..., k, 3)`` tilted from each frame's own by every one of ``TILTS``, all around."""
+    turn = 2 * np.pi * np.arange(_AROUND) / _AROUND
+    tilt, around = np.meshgrid(TILTS[1:], turn, indexing="ij")
+    local = np.stack([np.sin(tilt) * np.cos(around), np.sin(tilt) * np.sin(around), np.cos(tilt)], axis=-1).reshape(-1, 3)
+    return texels.world_normals(frames[..., np.newaxis, :, :], np.concatenate([[[0.0, 0.0, 1.0]], local]))
+
+
+def errors(scene: Street, sun: float, rays: int = 1024) -> dict[str, tuple[float, float]]:
+    """Return, by form, the relative RMS over texels, normals and channels, and the worst error over the RMS irradiance."""
+    weights, seen = surroundings(sun)
+    made = precompute(scene.mesh, _TRANSFER)
+    leaving = scene.mesh.albedo * np.einsum("vcw,cw->vc", made.transfer, weights[:, : _TRANSFER.bands**2])
+    many = incident.Sampling(4 * rays, seed=2)
+    normals = tilted(scene.texels.frames)
+    exact = incident.irradiance(scene.mesh, scene.rays, scene.texels, normals, seen.radiance, leaving, many)
+    found = {"normal map ignored": np.broadcast_to(exact[..., :1, :], exact.shape)}
+    sampling = incident.Sampling(rays)
+    baked = incident.bake(scene.mesh, scene.rays, scene.texels, seen.radiance, leaving, max(BANDS), sampling)
+    for bands in BANDS:
+        kept = baked[..., np.newaxis, :, : bands**2]
+        found[f"{bands} bands"] = evaluation.evaluate(kept, normals)
+        if bands == 2:
+            found["2 bands, nonnegative"] = evaluation.evaluate(kept, normals, "nonnegative")
+        if bands == 3:
+            found["3 bands, deringed"] = evaluation.evaluate(evaluation.deringed(kept), normals)
+    for bands in (2, 3):
+        kept = evaluation.fitted(baked, scene.texels.frames[..., 2, :], bands)
+        found[f"{bands} bands, fitted"] = evaluation.evaluate(kept[..., np.newaxis, :, :], normals)
+    back = scene.mesh.albedo[:, :, np.newaxis] * made.transfer
+    matrices = incident.transfer(scene.mesh, scene.rays, scene.texels, back, 3, sampling)
+    for bands in (5, 7):
+        lit = incident.apply(matrices[..., : bands**2], weights)
+        found[f"3 bands, by matrices of {bands}"] = evaluation.evaluate(lit[..., np.newaxis, :, :], normals)
+    size = np.sqrt(np.mean(np.square(exact)))
+    return {name: (relative_rms(one, exact), float(np.abs(one - exact).max() / size)) for name, one in found.items()}
+
+
+def main() -> None:
+    """Print the rows."""
+    scene = street()
+    columns = [errors(scene, sun) for sun in SUNS]
+    for name in columns[0]:
+        cells = [
+            f"{100 * rms:.2g} % ({float(f'{100 * worst:.2g}'):g} %)" for rms, worst in (column[name] for column in columns)
+        ]
+        print("|", " | ".join([name, *cells]), "|")
+
+
+def _patches(rectangle: Array, albedo: Array) -> Mesh:
+    """Return a rectangle ``(3, 3)``, a corner and two sides, in patches about 1 in size; texture coordinates from 0 to 1."""
+    origin, along, up = rectangle
+    columns, rows = (max(1, round(float(np.linalg.norm(side)))) for side in (along, up))
+    u, v = (part.ravel() for part in np.meshgrid(np.arange(columns + 1) / columns, np.arange(rows + 1) / rows))
+    normal = np.cross(along, up)
+    corner = np.arange((columns + 1) * (rows + 1)).reshape(rows + 1, columns + 1)
+    a, b, c, d = (part.ravel() for part in (corner[:-1, :-1], corner[:-1, 1:], corner[1:, 1:], corner[1:, :-1]))
+    triangles = np.concatenate([np.stack([a, b, c], axis=-1), np.stack([a, c, d], axis=-1)])
+    return Mesh(
+        positions=origin + np.multiply.outer(u, along) + np.multiply.outer(v, up),
+        normals=np.broadcast_to(normal / np.linalg.norm(normal), (u.size, 3)).copy(),
+        albedo=np.broadcast_to(albedo, (u.size, 3)).copy(),
+        triangles=triangles,
+        part=np.zeros(len(triangles), dtype=np.int64),
+        parts=(Part("patches"),),
+        uv=np.stack([u, v], axis=-1),
+    )
+
+
+if __name__ == "__main__":
+    main()
