@@ -10,11 +10,11 @@ import mpmath as mp
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from skylight_sh import sphere
+from skylight_sh import UserError, sphere
 from skylight_sh.light.preetham import Preetham
 from skylight_sh.quadrature import sun_centred
 from skylight_sh.quadrature.samples import NotConvergedError
-from skylight_sh.reflectance import MODELS, brute_force, tables, tabulated
+from skylight_sh.reflectance import MODELS, brute_force, files, tables, tabulated
 from skylight_sh.reflectance._as_light import Reflection
 from skylight_sh.reflectance.measured import Measured, half_and_difference, reciprocity, zeniths_and_azimuth
 from skylight_sh.reflectance.models.ggx import Ggx
@@ -51,6 +51,7 @@ def towards(zenith: float, azimuth: float = 0.0) -> Array:
 def test_the_registry_has_each_model_by_its_name() -> None:
     assert list(MODELS) == ["lambert", "oren-nayar", "ggx"]
     assert [MODELS[name]().channels for name in MODELS] == [3, 3, 3]
+    assert all(10 < len(MODELS.about(name)) < 125 for name in MODELS)
 
 
 @pytest.mark.parametrize("model", ALL, ids=lambda model: model.title)
@@ -450,3 +451,32 @@ def test_narrow_lobes_converge_as_the_page_says() -> None:
         sun_centred.project(light, views, nodes=n, harmonics=sphere.Harmonics.even(7)).weights for n in (240, 360)
     )
     assert np.abs(coarse - fine).max() < 1e-10 * np.abs(fine).max()
+
+
+def test_a_file_gives_back_its_table(tmp_path: Path) -> None:
+    table = tabulated.tabulate(Ggx(0.4, (0.2, 0.5), alpha_y=0.2), 4, zeniths=5, azimuths=3)
+    data = files.write(table)
+    assert data == files.write(table)
+    (tmp_path / "steel.npz").write_bytes(data)
+    again = files.read(tmp_path / "steel.npz")
+    assert (again.title, again.estimate) == (table.title, table.estimate)
+    assert np.abs(again.weights - table.weights).max() < 1e-6 * table.weights.max()
+
+
+@pytest.mark.parametrize(
+    ("edit", "told"),
+    [
+        ({"title": None}, "no array 'title'"),
+        ({"format": np.array(3)}, "has format 3"),
+        ({"weights": np.zeros((1, 1, 1, 4))}, "two zeniths"),
+        ({"weights": np.full((2, 1, 1, 4), np.nan)}, "not finite"),
+        ({"estimate": np.array("none")}, "is no reflectance table"),
+    ],
+)
+def test_a_bad_table_file_is_refused(edit: dict[str, object], told: str, tmp_path: Path) -> None:
+    good = {"format": np.array(1), "title": np.array("x"), "estimate": np.array(0.0), "weights": np.zeros((2, 1, 1, 4))}
+    np.savez(tmp_path / "bad.npz", **{name: value for name, value in {**good, **edit}.items() if value is not None})
+    with pytest.raises(UserError, match=told):
+        files.read(tmp_path / "bad.npz")
+    with pytest.raises(UserError, match="is no reflectance table"):
+        files.read(tmp_path / "none.npz")

@@ -69,13 +69,13 @@ def bake(
     out = np.zeros((*texels.covered.shape, leaving.shape[1], bands * bands))
     flat = np.zeros((int(texels.covered.sum()), *out.shape[-2:]))
     for seen in meet(mesh, rays, texels, sampling):
-        light = _arriving(seen, sky, leaving)
+        light = arriving(seen, sky, leaving)
         flat[seen.texels] = seen.solid_angle * (light.swapaxes(1, 2) @ basis(seen.directions, bands))
     out[texels.covered] = flat
     return out
 
 
-def transfer(mesh: Mesh, rays: Rays, texels: Texels, leaving: Array, bands: int, sampling: Sampling) -> Array:
+def matrices(mesh: Mesh, rays: Rays, texels: Texels, leaving: Array, bands: int, sampling: Sampling) -> Array:
     """Return matrices ``(..., channels, M*M, N*N)`` that take a light's SH weights to those of the incident radiance.
 
     ``leaving`` ``(v, channels, N*N)`` is the mesh's transfer times its vertices' albedo: its dot product with the light's
@@ -99,15 +99,15 @@ def transfer(mesh: Mesh, rays: Rays, texels: Texels, leaving: Array, bands: int,
     return out
 
 
-def apply(matrices: Array, weights: Array) -> Array:
-    """Return incident weights ``(..., channels, M*M)`` of ``matrices`` ``(..., channels, M*M, N*N)`` under a light.
+def apply(made: Array, weights: Array) -> Array:
+    """Return incident weights ``(..., channels, M*M)`` of matrices ``(..., channels, M*M, N*N)`` under a light.
 
     ``weights`` ``(channels, N*N)`` are the light's; its bands beyond the matrices' are left out.
 
     >>> apply(np.ones((1, 4, 9)), np.ones((1, 16))).tolist()
     [[9.0, 9.0, 9.0, 9.0]]
     """
-    return np.asarray(np.einsum("...cij,cj->...ci", matrices, weights[:, : matrices.shape[-1]]))
+    return np.asarray(np.einsum("...cij,cj->...ci", made, weights[:, : made.shape[-1]]))
 
 
 def irradiance(
@@ -128,7 +128,7 @@ def irradiance(
     flat = np.zeros((*held.shape[:-1], leaving.shape[1]))
     for seen in meet(mesh, rays, texels, sampling):
         cosine = np.maximum(held[seen.texels] @ seen.directions.swapaxes(1, 2), 0.0)
-        flat[seen.texels] = seen.solid_angle * (cosine @ _arriving(seen, sky, leaving))
+        flat[seen.texels] = seen.solid_angle * (cosine @ arriving(seen, sky, leaving))
     out[texels.covered] = flat
     return out
 
@@ -166,8 +166,8 @@ def meet(mesh: Mesh, rays: Rays, texels: Texels, sampling: Sampling) -> Iterator
         )
 
 
-def _arriving(seen: Seen, sky: Callable[[Array], Array], leaving: Array) -> Array:
-    """Return the radiance ``(k, n, channels)`` that comes along the rays."""
+def arriving(seen: Seen, sky: Callable[[Array], Array], leaving: Array) -> Array:
+    """Return the radiance ``(k, n, channels)`` that comes along a chunk's rays; ``sky`` and ``leaving`` as in ``bake``."""
     light: Array = np.einsum("knj,knjc->knc", seen.weights, leaving[seen.corners])
     light[seen.free] = sky(seen.directions[seen.free])
     return light

@@ -23,6 +23,8 @@ Array = NDArray[np.float64]
 _LADDER = (48, 72, 108, 160, 240, 360)
 # Directions of a block of views held at once, for their nodes' number squared: 100 MB or so.
 _SAMPLES = 400_000
+# Points whose frames are turned at once: as many matrices as the caches hold.
+_BLOCK = 1024
 
 
 @dataclass(frozen=True)
@@ -45,6 +47,8 @@ class Table:
                 f"Invalid weights of shape {self.weights.shape}. Should be (zeniths, azimuths, channels, N*N), two zeniths "
                 "or more."
             )
+        if not np.all(np.isfinite(self.weights)):
+            raise ValueError("Invalid weights: some are not finite. Tabulate it again.")
 
     @property
     def bands(self) -> int:
@@ -108,12 +112,24 @@ def shade(table: Table, weights: NDArray[np.floating], normals: Array, views: Ar
     """
     if tangents is None and table.weights.shape[1] > 1:
         raise ValueError(f"{table.title}: not isotropic. Give tangents, unit vectors of the normals' shape.")
-    frames, height = view_frames(normals, views)
-    azimuth = np.zeros_like(height) if tangents is None else _azimuth(frames, tangents)
-    known = table.at(np.arccos(np.clip(height, 0.0, 1.0)), azimuth)
     size = min(table.bands, bands_of(weights)) ** 2
-    local = rotate(weights[..., :size], frames[..., np.newaxis, :, :])
-    return np.asarray(np.einsum("...i,...i->...", local, known[..., :size]))
+    sides = [np.asarray(side, dtype=np.float64) for side in (normals, views, normals if tangents is None else tangents)]
+    lead = np.broadcast_shapes(*(side.shape[:-1] for side in sides), weights.shape[:-2])
+    n, v, t = (np.broadcast_to(side, (*lead, 3)).reshape(-1, 3) for side in sides)
+    channels = np.broadcast_shapes(weights.shape[-2:-1], table.weights.shape[2:3])
+    # One light for all stays one.
+    own = weights.ndim > 2
+    light = weights[..., :size]
+    lit = np.broadcast_to(light, (*lead, *light.shape[-2:])).reshape(-1, *light.shape[-2:]) if own else light
+    out = np.empty((len(n), *channels))
+    for start in range(0, len(n), _BLOCK):
+        some = slice(start, start + _BLOCK)
+        frames, height = view_frames(n[some], v[some])
+        azimuth = np.zeros_like(height) if tangents is None else _azimuth(frames, t[some])
+        known = table.at(np.arccos(np.clip(height, 0.0, 1.0)), azimuth)
+        local = rotate(lit[some] if own else lit, frames[:, np.newaxis])
+        out[some] = np.einsum("...i,...i->...", local, known[..., :size])
+    return out.reshape(*lead, *channels)
 
 
 def view_frames(normals: Array, views: Array) -> tuple[Array, Array]:

@@ -11,8 +11,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from skylight_sh import sphere
 from skylight_sh.lightmap import evaluation, incident, texels
 from skylight_sh.mesh import Mesh, Part
+from skylight_sh.reflectance import glossy, lobes
 from skylight_sh.reflectance.brute_force import relative_rms
 from skylight_sh.studies.materials import SUNS, surroundings
 from skylight_sh.transfer import Options, Rays, precompute
@@ -20,6 +22,8 @@ from skylight_sh.transfer import Options, Rays, precompute
 Array = NDArray[np.float64]
 
 BANDS = (2, 3, 5)
+GLOSSY_BANDS = (5, 7, 10)
+EXPONENTS = (8, 16, 32)
 TILTS = np.radians([0.0, 20.0, 40.0, 60.0])
 _AROUND = 6
 _TRANSFER = Options(bands=7, rays=256, gather_rays=128, bounces=3)
@@ -87,7 +91,7 @@ def errors(scene: Street, sun: float, rays: int = 1024) -> dict[str, tuple[float
         kept = evaluation.fitted(baked, scene.texels.frames[..., 2, :], bands)
         found[f"{bands} bands, fitted"] = evaluation.evaluate(kept[..., np.newaxis, :, :], normals)
     back = scene.mesh.albedo[:, :, np.newaxis] * made.transfer
-    matrices = incident.transfer(scene.mesh, scene.rays, scene.texels, back, 3, sampling)
+    matrices = incident.matrices(scene.mesh, scene.rays, scene.texels, back, 3, sampling)
     for bands in (5, 7):
         lit = incident.apply(matrices[..., : bands**2], weights)
         found[f"3 bands, by matrices of {bands}"] = evaluation.evaluate(lit[..., np.newaxis, :, :], normals)
@@ -95,9 +99,40 @@ def errors(scene: Street, sun: float, rays: int = 1024) -> dict[str, tuple[float
     return {name: (relative_rms(one, exact), float(np.abs(one - exact).max() / size)) for name, one in found.items()}
 
 
+def glossy_errors(scene: Street, sun: float, rays: int = 2048) -> dict[tuple[int, int], float]:
+    """Return, by exponent and bands, the relative RMS of a cosine's powers reflected by 20 places on the ground.
+
+    Over mirror directions at least 9 degrees above it; what arrives is baked in SH, brute force sums the lobe over rays.
+    """
+    weights, seen = surroundings(sun)
+    made = precompute(scene.mesh, _TRANSFER)
+    leaving = scene.mesh.albedo * np.einsum("vcw,cw->vc", made.transfer, weights[:, : _TRANSFER.bands**2])
+    places = np.array([[x, y, 0.0] for x in (0.5, 1.5, 2.5, 3.5, 4.5) for y in (-8.0, -3.0, 2.0, 7.0)])
+    ground = texels.of_points(places, np.tile([0.0, 0.0, 1.0], (20, 1)), np.tile([1.0, 0.0, 0.0], (20, 1)))
+    sampling, many = incident.Sampling(rays), incident.Sampling(2 * rays, seed=2)
+    baked = incident.bake(scene.mesh, scene.rays, ground, seen.radiance, leaving, max(GLOSSY_BANDS), sampling)
+    reflected = np.array([r for r in sphere.spiral(60) if r[2] > 0.15])
+    exact: dict[int, list[Array]] = {n: [] for n in EXPONENTS}
+    for met in incident.meet(scene.mesh, scene.rays, ground, many):
+        light = met.solid_angle * incident.arriving(met, seen.radiance, leaving)
+        cosine = np.maximum(reflected @ met.directions.swapaxes(1, 2), 0.0)
+        for n in EXPONENTS:
+            exact[n].append((n + 1) / (2 * np.pi) * (cosine**n @ light))
+    found = {}
+    for n in EXPONENTS:
+        for bands in GLOSSY_BANDS:
+            kept = baked[:, np.newaxis, :, : bands**2]
+            lit = glossy.radiance(kept, lobes.cosine_power(n, bands), reflected)
+            found[n, bands] = relative_rms(lit, np.concatenate(exact[n]))
+    return found
+
+
 def main() -> None:
     """Print the rows."""
     scene = street()
+    shiny = [glossy_errors(scene, sun) for sun in SUNS]
+    for n, bands in shiny[0]:
+        print("|", " | ".join([f"cos^{n}", str(bands), *(f"{100 * column[n, bands]:.2g} %" for column in shiny)]), "|")
     columns = [errors(scene, sun) for sun in SUNS]
     for name in columns[0]:
         cells = [
