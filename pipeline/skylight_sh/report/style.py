@@ -23,12 +23,12 @@ SERIES = (BLUE, RED, GREEN, PURPLE, ORANGE, SKY, BLACK)
 MARKERS = ("o", "s", "^", "D", "v", "P", "X")
 ERROR_MAP = "viridis"
 SIGNED_MAP = "PuOr"
-_DPI = 110
+DPI = 110
 
 
 def figure(width: float, height: float) -> Figure:
     """Return an empty figure of that size in inches, laid out so that labels do not collide."""
-    return Figure(figsize=(width, height), dpi=_DPI, layout="constrained")
+    return Figure(figsize=(width, height), dpi=DPI, layout="constrained")
 
 
 def legible(width: float) -> float:
