@@ -1,8 +1,8 @@
 """What errors of a light's SH weights do to a picture, without rendering it again.
 
-A picture through transfer is linear in the light's weights: pixel = albedo * (transfer . weights). The sum of its squares is
-hence a quadratic form of the weights, a matrix for each channel, and a picture of many thousand pixels tells the error of any
-light's weights by one product.
+A picture through transfer is linear in the light's weights: pixel = albedo * (transfer . weights). The sum of its squares
+is hence a quadratic form of the weights, a matrix for each channel, and a picture of many thousand pixels tells the error of
+any light's weights by one product.
 """
 
 from __future__ import annotations

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
 
@@ -70,8 +70,8 @@ class ReportData:
 
     ``sample`` gives a set's true weights ``(channels, count)``; ``fronts`` the Pareto front of bytes and E_mean,
     ``(points, 2)``, for each number of bands and layout; ``origins`` and ``lighting`` what the stages of these names
-    found, if they ran; ``held_out`` counts the sets that errors were measured on; ``surroundings`` are by the number of
-    bands.
+    found, if they ran, ``pictures`` by what they show; ``held_out`` counts the sets that errors were measured on;
+    ``surroundings`` are by the number of bands.
     """
 
     name: str
@@ -96,6 +96,7 @@ class ReportData:
     rule: Mapping[str, Any]
     surroundings: Mapping[int, Surroundings]
     lighting: Mapping[str, NDArray[Any]] | None = None
+    pictures: Mapping[str, Mapping[str, NDArray[Any]]] = field(default_factory=dict)
 
     @property
     def best(self) -> Entry:

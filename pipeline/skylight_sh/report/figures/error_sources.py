@@ -17,11 +17,11 @@ Array = NDArray[np.float64]
 
 _WIDTH = 8.0
 CAPTION = (
-    "Where the error of a lit picture comes from: relative RMSE of linear light over the whole courtyard, for suns of three "
-    "heights, on a logarithmic scale. The table: weights from the recommended and from the smallest table against true ones. "
-    "Sampling: transfer by two halves of its rays. Vertices: transfer at vertices, interpolated, against transfer at every "
-    "pixel. Bands: transfer at every pixel against brute force. All: the picture as it is, against brute force; and without "
-    "its bounces, and without its shadows."
+    "Where the error of a lit picture comes from: relative RMSE of linear light over all that is seen of the courtyard, for "
+    "suns of three heights, on a logarithmic scale. The tables: weights from the recommended and from the smallest one "
+    "against true ones. Sampling: transfer by two halves of its rays. Vertices: transfer at vertices, interpolated, against "
+    "transfer at every pixel. Bands: transfer at every pixel against brute force. All: the picture as it is, against brute "
+    "force; and the same without its bounces, and without its shadows."
 )
 
 
