@@ -1,5 +1,7 @@
 """Triangle meshes: what a scene is made of, with normals, colours and named parts."""
 
 from skylight_sh.mesh._mesh import Mesh, Part
+from skylight_sh.mesh.findings import Finding
+from skylight_sh.mesh.reading import read
 
-__all__ = ["Mesh", "Part"]
+__all__ = ["Finding", "Mesh", "Part", "read"]
