@@ -151,7 +151,7 @@ def same(told: list[str], found: list[float]) -> None:
 
 def test_lobes_lose_what_the_page_says() -> None:
     """Measured again, from brute force up; and what is asked of 7 bands above a ground: 1 % for 8, 4 % for 16."""
-    lit = {(s, g): materials.surroundings(s, g, nodes=48) for s in materials.SUNS for g in (0.0, materials.GROUND)}
+    lit = {(s, g): materials.environment(s, g, nodes=48) for s in materials.SUNS for g in (0.0, materials.GROUND)}
     rows = table_of("glossy")
     assert [row[:3] for row in rows] == [lobe.cells for lobe in materials.LOBES]
     for row, lobe in zip(rows, materials.LOBES, strict=True):
@@ -164,7 +164,7 @@ def test_lobes_lose_what_the_page_says() -> None:
 
 def test_tables_lose_what_the_page_says() -> None:
     """Two of its columns and one of its slopes; every row is there."""
-    weights, seen = materials.surroundings(80.0)
+    weights, seen = materials.environment(80.0)
     rows = table_of("views")
     assert [row[:2] for row in rows] == [[f"{a:g}", str(bands)] for a in materials.ALPHAS for bands in materials.BANDS]
     for zenith in (30.0, 70.0):

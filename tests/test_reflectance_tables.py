@@ -248,12 +248,12 @@ def test_a_lobe_too_narrow_for_the_rule_is_told() -> None:
         tabulated.tabulate(Ggx(0.001, WHITE), 1, zeniths=2)
 
 
-def sky(zenith: float, bands: int, albedo: float) -> tuple[Array, brute_force.Surroundings]:
+def sky(zenith: float, bands: int, albedo: float) -> tuple[Array, brute_force.Environment]:
     """The exact sky's weights above a ground, and the same without any expansion."""
     light, at = Preetham(), {"sun_zenith": np.radians(zenith), "turbidity": 3.0}
     spread = {name: np.array([[value]]) for name, value in at.items()}
     weights = sun_centred.project(light, spread, nodes=64, harmonics=sphere.Harmonics(bands)).weights[0, 0]
-    return sphere.add_ground(weights, albedo, bands), brute_force.surround(light, at, albedo, nodes=48)
+    return sphere.add_ground(weights, albedo, bands), brute_force.environment(light, at, albedo, nodes=48)
 
 
 def test_brute_force_itself() -> None:

@@ -22,7 +22,7 @@ _BLOCK = 4_000_000
 
 
 @dataclass(frozen=True)
-class Surroundings:
+class Environment:
     """A light above the horizon and an even ground below it, direction by direction.
 
     ``directions`` ``(n, 3)`` and ``powers`` ``(n, channels)``, radiance times solid angle, are nodes over the whole sphere
@@ -45,13 +45,13 @@ class Surroundings:
         return found
 
 
-def surround(light: Light, parameters: Mapping[str, float], albedo: float = 0.0, nodes: int = 128) -> Surroundings:
+def environment(light: Light, parameters: Mapping[str, float], albedo: float = 0.0, nodes: int = 128) -> Environment:
     """Return a light with its parameters, and a ground of ``albedo`` lit by it: radiance albedo E / pi.
 
     Above a white ground an even sky is the same everywhere:
 
     >>> from skylight_sh.light.cie_general import CieGeneral
-    >>> seen = surround(CieGeneral(sky=5), {"sun_zenith": 0.5}, albedo=1.0, nodes=32)
+    >>> seen = environment(CieGeneral(sky=5), {"sun_zenith": 0.5}, albedo=1.0, nodes=32)
     >>> up, down = seen.radiance(np.array([[0.0, 0.0, 1.0], [0.6, 0.0, -0.8]]))[:, 0]
     >>> float((down / up).round(6)), float((seen.powers.sum() / (4 * np.pi * up)).round(6))
     (1.0, 1.0)
@@ -64,10 +64,10 @@ def surround(light: Light, parameters: Mapping[str, float], albedo: float = 0.0,
     ground = albedo / np.pi * (up[:, 2] @ sky)
     down, solid_angles = zenith_gauss.directions(nodes // 2)
     powers = np.concatenate([sky, np.multiply.outer(solid_angles, ground)])
-    return Surroundings(light, parameters, ground, np.concatenate([up, down * _DOWN]), powers)
+    return Environment(light, parameters, ground, np.concatenate([up, down * _DOWN]), powers)
 
 
-def cosine_lobe(seen: Surroundings, exponent: float, reflected: Array) -> Array:
+def cosine_lobe(seen: Environment, exponent: float, reflected: Array) -> Array:
     """Return what the lobe ``(n+1) / (2 pi) max(0, cos)**n`` reflects, ``(p, channels)``.
 
     ``reflected`` are mirror directions ``(p, 3)``.

@@ -16,7 +16,7 @@ from skylight_sh.lightmap import evaluation, incident, texels
 from skylight_sh.mesh import Mesh, Part
 from skylight_sh.reflectance import glossy, lobes
 from skylight_sh.reflectance.brute_force import relative_rms
-from skylight_sh.studies.materials import SUNS, surroundings
+from skylight_sh.studies.materials import SUNS, environment
 from skylight_sh.transfer import Options, Rays, precompute
 
 Array = NDArray[np.float64]
@@ -71,7 +71,7 @@ def tilted(frames: Array) -> Array:
 
 def errors(scene: Street, sun: float, rays: int = 1024) -> dict[str, tuple[float, float]]:
     """Return, by form, the relative RMS over texels, normals and channels, and the worst error over the RMS irradiance."""
-    weights, seen = surroundings(sun)
+    weights, seen = environment(sun)
     made = precompute(scene.mesh, _TRANSFER)
     leaving = scene.mesh.albedo * np.einsum("vcw,cw->vc", made.transfer, weights[:, : _TRANSFER.bands**2])
     many = incident.Sampling(4 * rays, seed=2)
@@ -104,7 +104,7 @@ def glossy_errors(scene: Street, sun: float, rays: int = 2048) -> dict[tuple[int
 
     Over mirror directions at least 9 degrees above it; what arrives is baked in SH, brute force sums the lobe over rays.
     """
-    weights, seen = surroundings(sun)
+    weights, seen = environment(sun)
     made = precompute(scene.mesh, _TRANSFER)
     leaving = scene.mesh.albedo * np.einsum("vcw,cw->vc", made.transfer, weights[:, : _TRANSFER.bands**2])
     places = np.array([[x, y, 0.0] for x in (0.5, 1.5, 2.5, 3.5, 4.5) for y in (-8.0, -3.0, 2.0, 7.0)])

@@ -63,16 +63,16 @@ BANDS = (5, 7, 10)
 VIEWS = (0.0, 30.0, 50.0, 60.0, 70.0, 80.0)
 
 
-def surroundings(sun: float, ground: float = GROUND, nodes: int = _NODES) -> tuple[Array, brute_force.Surroundings]:
+def environment(sun: float, ground: float = GROUND, nodes: int = _NODES) -> tuple[Array, brute_force.Environment]:
     """Return the exact weights ``(3, 100)`` of a sky, sun ``sun`` degrees from the zenith, above a ground, and its nodes."""
     at = {"sun_zenith": float(np.radians(sun)), "turbidity": TURBIDITY}
     spread = {name: np.array([[value]]) for name, value in at.items()}
     harmonics = sphere.Harmonics(_MOST_BANDS)
     weights = sun_centred.project(Preetham(), spread, nodes=_NODES, harmonics=harmonics).weights[0, 0]
-    return sphere.add_ground(weights, ground, _MOST_BANDS), brute_force.surround(Preetham(), at, ground, nodes)
+    return sphere.add_ground(weights, ground, _MOST_BANDS), brute_force.environment(Preetham(), at, ground, nodes)
 
 
-def glossy_error(lobe: Lobe, weights: Array, seen: brute_force.Surroundings) -> float:
+def glossy_error(lobe: Lobe, weights: Array, seen: brute_force.Environment) -> float:
     """Return a lobe's relative RMS over mirror directions all over the sphere."""
     reflected = sphere.spiral(_DIRECTIONS)
     sharp = not np.isfinite(lobe.exponent)
@@ -91,7 +91,7 @@ def views_at(zenith: float) -> tuple[Array, Array]:
 
 
 def view_errors(
-    alpha: float, zenith: float, weights: Array, seen: brute_force.Surroundings, nodes: int = _NODES
+    alpha: float, zenith: float, weights: Array, seen: brute_force.Environment, nodes: int = _NODES
 ) -> list[float]:
     """Return the relative RMS of a white GGX surface's tables of ``BANDS`` bands over normals all over the sphere."""
     model = Ggx(alpha, (1.0,))
@@ -109,7 +109,7 @@ def per_cent(errors: Sequence[float]) -> list[str]:
 
 def main() -> None:
     """Print both tables' rows."""
-    lit = {(sun, ground): surroundings(sun, ground) for sun in SUNS for ground in (GROUND, 0.0)}
+    lit = {(sun, ground): environment(sun, ground) for sun in SUNS for ground in (GROUND, 0.0)}
     for lobe in LOBES:
         errors = [glossy_error(lobe, *lit[sun, lobe.ground]) for sun in SUNS]
         print("|", " | ".join([*lobe.cells, *per_cent(errors)]), "|")
