@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 from conftest import ROOT
 from numpy.typing import NDArray
+from scipy.interpolate import interpn
 from skylight_sh import UserError, sphere
 from skylight_sh.lightmap import evaluation, files, incident, texels
 from skylight_sh.mesh import Mesh, Part
@@ -372,6 +373,20 @@ def test_a_relief_finer_than_its_lightmap() -> None:
     # Beyond the outermost centres it stays as there.
     assert found[0, 0, 0] == pytest.approx(evaluation.evaluate(lightmap.weights[0, 0], np.array([0.8, 0.6, 0.0]))[0])
     assert np.abs(evaluation.shade(lightmap, relief[::3, ::3])[0, 0] - found[0, 0]).max() < 1e-9
+
+
+def test_light_between_texels_is_bilinear() -> None:
+    """Against SciPy's interpolation of a lightmap without any order, centres beyond the outermost held to them."""
+    rows, columns = 5, 4
+    weights = np.random.default_rng(12).normal(size=(rows, columns, 3, 4))
+    lightmap = replace(ramp(rows, columns), weights=weights)
+    found = evaluation.shade(lightmap, np.broadcast_to(UP, (15, 8, 3)))
+    y = np.clip((np.arange(15) + 0.5) / 3 - 0.5, 0, rows - 1)
+    x = np.clip((np.arange(8) + 0.5) / 2 - 0.5, 0, columns - 1)
+    grid = np.stack(np.meshgrid(y, x, indexing="ij"), axis=-1)
+    between = interpn((np.arange(rows), np.arange(columns)), weights, grid)
+    # The relief's own normal, outward, is x in the world.
+    assert np.abs(found - evaluation.evaluate(between, np.array([1.0, 0.0, 0.0]))).max() < 1e-12
 
 
 def test_holes_of_a_chart_do_not_darken_their_neighbours() -> None:

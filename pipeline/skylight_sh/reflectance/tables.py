@@ -87,7 +87,9 @@ def read_grid(path: Path) -> tuple[Measured, tuple[str, ...]]:
         if angles.ndim != 1 or angles.size < 2 or not np.all(np.diff(angles) > 0):
             raise ReflectanceError(f"{path}: {name} of shape {angles.shape} does not rise. Give two rising angles or more.")
         if angles[0] < 0 or angles[-1] > end + 1e-6:
-            raise ReflectanceError(f"{path}: {name} goes to {angles[-1]:g}. Should be radians from 0 to {end:.4g}.")
+            raise ReflectanceError(
+                f"{path}: {name} goes from {angles[0]:g} to {angles[-1]:g}. Should be radians from 0 to {end:.4g}."
+            )
     shape = (first.size, second.size, phi.size)
     if values.ndim != 4 or values.shape[:3] != shape or not values.shape[3]:
         raise ReflectanceError(f"{path}: values of shape {values.shape}. Should be {shape} and the channels.")
