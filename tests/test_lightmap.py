@@ -16,7 +16,11 @@ from scipy.interpolate import interpn
 from skylight_sh import UserError, sphere
 from skylight_sh.lightmap import evaluation, files, incident, texels
 from skylight_sh.mesh import Mesh, Part
+from skylight_sh.reflectance.brute_force import relative_rms
+from skylight_sh.render import light_paths
+from skylight_sh.render.surface import Points, Surface
 from skylight_sh.studies import lightmaps
+from skylight_sh.studies.materials import environment
 from skylight_sh.transfer import Options, Rays, precompute
 
 Array = NDArray[np.float64]
@@ -465,3 +469,20 @@ def test_lobes_in_a_scene_lose_what_the_page_says() -> None:
     assert [(row[0], row[1]) for row in rows] == [(f"cos^{n}", str(bands)) for n, bands in found]
     for row, error in zip(rows, found.values(), strict=True):
         assert float(row[2].removesuffix(" %")) == pytest.approx(100 * error, rel=0.06, abs=0.05), row
+
+
+def test_a_baked_street_is_what_paths_find() -> None:
+    """Paths that bounce five times, without transfer, vertices or expansions: the facade's own normals, all texels."""
+    street = lightmaps.street()
+    weights, seen = environment(80.0, 0.0)
+    made = precompute(street.mesh, Options(bands=7, rays=256, gather_rays=128, bounces=3))
+    leaving = street.mesh.albedo * np.einsum("vcw,cw->vc", made.transfer, weights[:, :49])
+    normals = street.texels.frames[..., 2, :]
+    baked = incident.bake(street.mesh, street.rays, street.texels, seen.radiance, leaving, 7, incident.Sampling(2048))
+    found = evaluation.evaluate(baked, normals).reshape(-1, 3)
+    flat, none = normals.reshape(-1, 3), np.zeros((24, 3))
+    points = Points(street.texels.points.reshape(-1, 3), flat, flat, none, none.astype(np.int64), none)
+    light = light_paths.Light(seen.radiance)
+    followed = light_paths.arriving(Surface(street.mesh), points, [light], bounces=4, count=2048, seed=3, first=0)
+    exact = np.pi * followed.bounced.sum(axis=1)[0]
+    assert relative_rms(found, exact) < 0.01

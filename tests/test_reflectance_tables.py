@@ -483,3 +483,35 @@ def test_a_bad_table_file_is_refused(edit: dict[str, object], told: str, tmp_pat
         files.read(tmp_path / "bad.npz")
     with pytest.raises(UserError, match="is no reflectance table"):
         files.read(tmp_path / "none.npz")
+
+
+@pytest.mark.parametrize("kind", ["isotropic", "brushed", "measured"])
+def test_shading_is_brute_force_under_a_light_of_as_few_bands(kind: str, tmp_path: Path) -> None:
+    """Nothing is cut off then: what is left is the interpolation between views, and azimuths 10 degrees apart."""
+    models: dict[str, Model] = {"isotropic": Ggx(0.4, (0.3, 0.9), (0.1, 0.0)), "brushed": Ggx(0.6, (0.3, 0.9), alpha_y=0.3)}
+    if kind == "measured":
+        stored(tmp_path / "paint.binary", (30, 30, 40), Ggx(0.5, (0.1, 0.4, 0.9), (0.2, 0.1, 0.05)))
+        models[kind], _ = tables.read_merl(tmp_path / "paint.binary")
+    model = models[kind]
+    # Not smoother from one side than from another, and brighter than it is uneven.
+    light = np.random.default_rng(4).normal(size=(1, 25)) + 6.0 * np.eye(25)[0]
+    table = tabulated.tabulate(model, 5, zeniths=16 if kind == "measured" else 31, tolerance=5e-3)
+    normals = sphere.spiral(12)
+    tangents = np.cross(normals, [0.36, 0.48, 0.8])
+    tangents /= np.linalg.norm(tangents, axis=-1, keepdims=True)
+    turn, zenith = 2.4 * np.arange(12)[:, np.newaxis], np.linspace(0.05, 1.35, 12)[:, np.newaxis]
+    side = np.cos(turn) * tangents + np.sin(turn) * np.cross(normals, tangents)
+    views = np.cos(zenith) * normals + np.sin(zenith) * side
+    exact = brute_force.reflected(
+        model, lambda directions: sphere.evaluate(light, directions).T, normals, views, tangents, nodes=96
+    )
+    found = tabulated.shade(table, light, normals, views, tangents)
+    assert found.shape == (12, model.channels)
+    off = brute_force.relative_rms(found, exact)
+    assert off < {"isotropic": 1e-3, "brushed": 3e-3, "measured": 5e-3}[kind]
+    if kind == "brushed":
+        # The other sense of the azimuth, or none, is another surface.
+        assert (
+            brute_force.relative_rms(tabulated.shade(table, light, normals, views, np.cross(normals, tangents)), exact)
+            > 0.02
+        )

@@ -96,7 +96,12 @@ def tabulate(model: Model, bands: int, *, zeniths: int = 91, azimuths: int = 36,
     turns = 1 if model.isotropic else azimuths
     found = np.empty((zeniths, turns, model.channels, bands * bands))
     estimate = 0.0
+    # Of a mirrored surface, turns by the other half circle are mirror images: y turns its sign, and orders below 0 theirs.
+    mirrored = np.where(Harmonics(bands).orders < 0, -1.0, 1.0)
     for k in range(turns):
+        if model.mirrored and 2 * k > turns:
+            found[:, k] = found[:, turns - k] * mirrored
+            continue
         found[:, k], off = _integrate(Reflection(model, 2 * np.pi * k / turns), bands, zeniths, tolerance)
         estimate = max(estimate, off)
     return Table(model.title, found, estimate)
