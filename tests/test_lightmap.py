@@ -10,10 +10,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from click.testing import CliRunner, Result
 from conftest import ROOT
 from numpy.typing import NDArray
 from scipy.interpolate import interpn
-from skylight_sh import UserError, sphere
+from skylight_sh import UserError, load, sphere
+from skylight_sh.cli import main
 from skylight_sh.lightmap import evaluation, files, incident, texels
 from skylight_sh.mesh import Mesh, Part
 from skylight_sh.reflectance.brute_force import relative_rms
@@ -486,3 +488,60 @@ def test_a_baked_street_is_what_paths_find() -> None:
     followed = light_paths.arriving(Surface(street.mesh), points, [light], bounces=4, count=2048, seed=3, first=0)
     exact = np.pi * followed.bounced.sum(axis=1)[0]
     assert relative_rms(found, exact) < 0.01
+
+
+OBJ = """v -4 -4 0
+v 4 -4 0
+v 4 4 0
+v -4 4 0
+vt 0 0
+vt 1 0
+vt 1 1
+vt 0 1
+g floor
+f 1/1 2/2 3/3
+f 1/1 3/3 4/4
+"""
+SKY = ROOT / "reports" / "reference" / "export" / "skylight_sh.npz"
+SUN = ("--sun-zenith", "0.8", "--turbidity", "3")
+
+
+def called(*arguments: object) -> Result:
+    return CliRunner().invoke(main, ["lightmap", *map(str, arguments)])
+
+
+@pytest.mark.parametrize("fit", [(), ("--fit", "40")])
+def test_the_command_bakes_an_open_floor(fit: tuple[str, ...], tmp_path: Path) -> None:
+    """Its irradiance is that of the table's own weights, which rays only sample; all texels alike."""
+    (tmp_path / "floor.obj").write_text(OBJ)
+    output = tmp_path / "floor.npz"
+    done = called(
+        tmp_path / "floor.obj", SKY, "--part", "floor", "--rows", 2, "--columns", 3, *SUN, *fit, "--output", output
+    )
+    assert done.exit_code == 0, done.output
+    assert "2 x 3 texels, 6 covered, 3 bands" in done.output
+    found = files.read(output)
+    light = load(SKY).weights(sun_zenith=0.8, sun_azimuth=0.0, turbidity=3.0)
+    exact = sphere.evaluate(sphere.irradiance(light), UP[np.newaxis])[:, 0]
+    lit = evaluation.shade(found, np.broadcast_to(UP, (2, 3, 3)))
+    assert np.abs(lit / exact - 1).max() < (0.02 if fit else 0.05)
+
+
+@pytest.mark.parametrize(
+    ("edit", "told"),
+    [
+        ({"--part": "roof"}, "none of that name"),
+        ({"--fit": 90}, "Invalid --fit 90"),
+        ({"--sun-zenith": None}, "sun_zenith=VALUE is missing"),
+        ({"--sun-zenith": "nan"}, "finite"),
+        ({"--bands": 1}, "1 is not in the range"),
+    ],
+)
+def test_the_command_says_what_is_wrong(edit: dict[str, object], told: str, tmp_path: Path) -> None:
+    (tmp_path / "floor.obj").write_text(OBJ)
+    options = {"--part": "floor", "--sun-zenith": 0.8, "--turbidity": 3, "--output": tmp_path / "x.npz", **edit}
+    words = [word for name, value in options.items() if value is not None for word in (name, value)]
+    done = called(tmp_path / "floor.obj", SKY, *words)
+    assert done.exit_code == 2
+    assert told in done.output
+    assert not (tmp_path / "x.npz").exists()

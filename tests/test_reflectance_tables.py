@@ -195,7 +195,8 @@ def test_turning_everything_changes_nothing() -> None:
 def test_views_along_the_normal_and_below_the_surface() -> None:
     table = tabulated.tabulate(Ggx(0.3, WHITE), 4, zeniths=31)
     light = np.random.default_rng(2).normal(size=(1, 16))
-    for normal in (*sphere.spiral(5), np.array([0.0, 0.0, 1.0]), np.array([0.0, 0.0, -1.0]), np.array([1.0, 0.0, 0.0])):
+    corners = np.array([[i, j, k] for i in (-1, 0, 1) for j in (-1, 0, 1) for k in (-1, 0, 1) if i or j or k])
+    for normal in (*sphere.spiral(5), *(corners / np.linalg.norm(corners, axis=-1, keepdims=True))):
         side = np.cross(normal, [0.6, 0.0, 0.8])
         near = normal + 1e-7 * side
         frames, _ = tabulated.view_frames(normal, normal)
