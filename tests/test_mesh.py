@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from meshes import CUBE, QUADS, TRIANGLES, kinds, obj, ply, read, volume
+from meshes import CUBE, QUADS, TRIANGLES, cube_gltf, kinds, obj, ply, read, volume
 from skylight_sh import mesh
 
 KINDS = ("ascii", "binary_little_endian", "binary_big_endian")
@@ -16,6 +16,7 @@ def cubes(tmp_path: Path) -> dict[str, Path]:
     """The same cube in every way of writing it."""
     files = {"quads.obj": obj(CUBE, QUADS).encode(), "triangles.obj": obj(CUBE, TRIANGLES).encode()}
     files |= {f"{kind}{len(faces)}.ply": ply(CUBE, faces, kind) for kind in KINDS for faces in (QUADS, TRIANGLES)}
+    files |= {"box.glb": cube_gltf().glb(), "box.gltf": cube_gltf().text().encode()}
     files["mixed.ply"] = ply(CUBE, [*QUADS[:3], *TRIANGLES[6:]], "binary_little_endian")
     files["negative.obj"] = obj(CUBE, QUADS, -8).encode()
     for name, data in files.items():

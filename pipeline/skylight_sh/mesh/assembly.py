@@ -129,4 +129,4 @@ def _or(values: Array | None, surface: Surface, missing: float) -> Array:
 
 def _turned(vectors: Array, up: Up) -> Array:
     """Turn ``(v, 3)`` so that the axis ``up`` is z."""
-    return vectors if up == "z" else np.stack([vectors[:, 0], -vectors[:, 2], vectors[:, 1]], axis=-1)
+    return vectors if up == "z" else np.stack([vectors[:, 0], 0.0 - vectors[:, 2], vectors[:, 1]], axis=-1)

@@ -18,27 +18,31 @@ Array = NDArray[np.float64]
 
 @dataclass
 class Shelf:
-    """The pictures of one file's surfaces, each read once, and ``findings`` of those that are missing."""
+    """The pictures of one file's surfaces, each read once, and ``findings`` of those that are missing.
+
+    A picture is a file, or its bytes where the mesh's own file holds it.
+    """
 
     findings: list[Finding] = field(default_factory=list)
-    _held: dict[tuple[str, Path], Array] = field(default_factory=dict)
+    _held: dict[object, Array] = field(default_factory=dict)
 
-    def colours(self, part: str, path: Path) -> Array | None:
+    def colours(self, part: str, source: Path | bytes) -> Array | None:
         """Return what ``colours`` does, None where there is no such file."""
-        return self._one(part, path, "colours", colours)
+        return self._one(part, source, "colours", colours)
 
-    def relief(self, part: str, path: Path) -> Array | None:
+    def relief(self, part: str, source: Path | bytes, strength: float = 1.0) -> Array | None:
         """Return what ``relief`` does, None where there is no such file."""
-        return self._one(part, path, "relief", relief)
+        return self._one(part, source, ("relief", strength), lambda path: relief(path, strength))
 
-    def _one(self, part: str, path: Path, kind: str, read: Callable[[Path], Array]) -> Array | None:
-        if not path.is_file():
-            sentence = f"Part {part!r}: no picture {path.name!r} beside the mesh; it goes without. Copy it there."
+    def _one(self, part: str, source: Path | bytes, kind: object, read: Callable[[Path], Array]) -> Array | None:
+        if isinstance(source, Path) and not source.is_file():
+            sentence = f"Part {part!r}: no picture {source.name!r} beside the mesh; it goes without. Copy it there."
             self.findings.append(Finding(part, "no picture", 1, False, sentence))
             return None
-        if (kind, path) not in self._held:
-            self._held[kind, path] = read(path)
-        return self._held[kind, path]
+        key = (kind, source)
+        if key not in self._held:
+            self._held[key] = read(source) if isinstance(source, Path) else _from_bytes(source, read)
+        return self._held[key]
 
 
 def decoded(encoded: Array) -> Array:
@@ -67,11 +71,13 @@ def relief(path: Path, strength: float = 1.0) -> Array:
     return np.where(length > 0.1, np.divide(normals, length, out=np.zeros_like(normals), where=length > 0.0), flat)
 
 
-def from_bytes(data: bytes, ending: str) -> Path:
-    """Write a picture that a mesh's file holds to a file of its own, for its reader takes files; the caller removes it."""
-    with tempfile.NamedTemporaryFile(suffix=ending, delete=False) as file:
-        file.write(data)
-    return Path(file.name)
+def _from_bytes(data: bytes, read: Callable[[Path], Array]) -> Array:
+    """Read a picture that a mesh's file holds through a file of its own, for its reader takes files."""
+    with tempfile.TemporaryDirectory() as folder:
+        # The reader goes by what is in a file; the ending is its first guess.
+        path = Path(folder) / ("picture.jpg" if data.startswith(b"\xff\xd8") else "picture.png")
+        path.write_bytes(data)
+        return read(path)
 
 
 def _read(path: Path, *, linear: bool) -> Array:

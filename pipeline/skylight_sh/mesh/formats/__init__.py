@@ -11,6 +11,8 @@ if TYPE_CHECKING:
 
 FORMATS: Registry[Format] = Registry(
     {
+        "glb": "skylight_sh.mesh.formats.gltf:FORMAT",
+        "gltf": "skylight_sh.mesh.formats.gltf:FORMAT",
         "obj": "skylight_sh.mesh.formats.obj:FORMAT",
         "ply": "skylight_sh.mesh.formats.ply:FORMAT",
     }
