@@ -412,7 +412,10 @@ def test_a_relief_is_never_lit_negatively_where_that_is_asked() -> None:
         hard = replace(lightmap, weights=np.tile(sphere.basis(np.array([0.0, 0.6, 0.8]), bands), (2, 2, 3, 1)))
         relief = sphere.spiral(64).reshape(8, 8, 3)
         assert evaluation.shade(hard, relief).min() < -0.01
-        assert evaluation.shade(hard, relief, "nonnegative").min() >= -1e-12
+        lit = evaluation.shade(hard, relief, "nonnegative")
+        assert lit.min() >= -1e-12
+        alone = evaluation.evaluate(hard.weights[:1, :1], texels.world_normals(hard.frames[0, 0], relief), "nonnegative")
+        assert np.abs(lit - alone).max() < 1e-9
         assert evaluation.shade(hard, relief, "clamped").min() == 0.0
 
 

@@ -164,6 +164,7 @@ def test_the_base_commands_work(installed: Installed, table: Path) -> None:
         (("bench",), "pipeline"),
         (("stability",), "pipeline"),
         (("project", "probe.exr", "--bands", "3"), "images"),
+        (("lightmap", "yard.obj", "sky.npz", "--part", "wall", "--output", "wall.npz"), "transfer"),
     ],
 )
 def test_a_command_that_lacks_its_extra_says_which(installed: Installed, arguments: tuple[str, ...], extra: str) -> None:
