@@ -342,6 +342,7 @@ def test_a_fit_to_the_normals_of_a_relief_is_the_nearest() -> None:
         (lambda: evaluation.evaluate(np.ones((1, 4)), UP, "rosy"), "form 'rosy'"),  # type-checkers see to it elsewhere
         (lambda: evaluation.fitted(np.ones((1, 9)), UP, 4), "from 2 to 3 bands"),
         (lambda: evaluation.fitted(np.ones((1, 9)), UP, 2, tilt=1.6), "tilt 1.6"),
+        (lambda: evaluation.fitted(np.ones((1, 9)), UP, 2, tilt=0.0), "tilt 0.0"),
         (lambda: evaluation.Lightmap(np.ones((1, 1, 4)), np.eye(3), np.ones(1)), r"shape \(1, 1, 4\)"),
         (lambda: evaluation.Lightmap(np.ones((2, 2, 1, 4)), np.eye(3), np.ones((2, 2), bool)), "frames or cover"),
         (
