@@ -52,24 +52,43 @@ class _Answer:
 
 
 def map_tasks(
-    function: Callable[[Item], Result], items: Sequence[Item], *, executor: str, workers: int, advance: Advance
+    function: Callable[[Item], Result],
+    items: Sequence[Item],
+    *,
+    executor: str,
+    workers: int,
+    advance: Advance,
+    finished: Callable[[int, Result], None] | None = None,
 ) -> list[Result]:
     """Apply ``function`` to each item and return the results in the items' order, whoever finished first.
 
     ``executor`` is ``threads``, ``processes`` or a scheduler's address; ``workers`` 0 means one a core (a cluster has its
-    own). ``advance(done, total)`` is told of progress. Raises what a task raised, WorkerError where a worker would compute
+    own). ``advance(done, total)`` is told of progress; ``finished(place, result)`` is called in this process as soon as the
+    item at a place is done, before it counts as such. Raises what a task raised, WorkerError where a worker would compute
     otherwise than this process, or OSError where no scheduler answers.
     """
     try:
         if "://" in executor:
-            return _on_cluster(function, items, executor, advance)
-        return _here(function, items, workers or os.cpu_count() or 1, advance, threads=executor == "threads")
+            return _on_cluster(function, items, executor, advance, finished or _nothing)
+        return _here(
+            function, items, workers or os.cpu_count() or 1, advance, finished or _nothing, threads=executor == "threads"
+        )
     except _StoppedError as stopped:
         raise stopped.error from None
 
 
+def _nothing(_: int, __: object) -> None:
+    """Do nothing with a result."""
+
+
 def _here(
-    function: Callable[[Item], Result], items: Sequence[Item], workers: int, advance: Advance, *, threads: bool
+    function: Callable[[Item], Result],
+    items: Sequence[Item],
+    workers: int,
+    advance: Advance,
+    finished: Callable[[int, Result], None],
+    *,
+    threads: bool,
 ) -> list[Result]:
     """Map in threads of this process, or in processes of this machine."""
     from dask.callbacks import Callback
@@ -83,11 +102,10 @@ def _here(
     expected = {} if threads else fingerprint(used)
     done = 0
 
-    def count(_: object, answer: Any, *__: object) -> None:
+    def count(key: Any, answer: Any, *__: object) -> None:
         nonlocal done
+        finished(key[1], answer if threads else _believed(answer, expected))
         done += 1
-        if not threads:
-            _believed(answer, expected)
         advance(done, len(items))
 
     task: Callable[[Item], Any] = function if threads else partial(_on_worker, function, used, expected, "")
@@ -103,7 +121,13 @@ def _here(
     return found if threads else [_believed(answer, expected) for answer in found]
 
 
-def _on_cluster(function: Callable[[Item], Result], items: Sequence[Item], address: str, advance: Advance) -> list[Result]:
+def _on_cluster(
+    function: Callable[[Item], Result],
+    items: Sequence[Item],
+    address: str,
+    advance: Advance,
+    finished: Callable[[int, Result], None],
+) -> list[Result]:
     from distributed import Client, as_completed
     from distributed.protocol import pickle
     from distributed.versions import VersionMismatchWarning
@@ -119,10 +143,12 @@ def _on_cluster(function: Callable[[Item], Result], items: Sequence[Item], addre
         # Bytes that any worker can receive, and that do the task where they are read.
         calls = [pickle.dumps(_Call((function, used, expected, address, item))) for item in items]
         futures = client.map(pickle.loads, calls, pure=False)
+        places = {future.key: place for place, future in enumerate(futures)}
         results = {}
         try:
             for done, (future, answer) in enumerate(as_completed(futures, with_results=True), start=1):
                 results[future.key] = _believed(answer, expected)
+                finished(places[future.key], results[future.key])
                 advance(done, len(items))
         except (_StoppedError, OSError):
             raise

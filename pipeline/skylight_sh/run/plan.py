@@ -28,14 +28,16 @@ class Step:
     """One artifact to make.
 
     ``stage`` is what it belongs to, ``part`` tells several of a stage apart; ``inputs`` are the steps it reads,
-    ``parameters`` (JSON-like) all else than its code that decides its result.
+    ``parameters`` (JSON-like) all else than its code that decides its result. A step ``in_blocks`` is also given the
+    ``Blocks`` that an earlier run of it has finished, and keeps its own there.
     """
 
     stage: str
     part: str
     inputs: tuple[str, ...]
     parameters: Any
-    make: Callable[[Inputs, Advance], Dataset]
+    make: Callable[..., Dataset]
+    in_blocks: bool = False
 
     @property
     def name(self) -> str:
@@ -115,9 +117,12 @@ def execute(
         inputs = {needed: obtain(needed) for needed in step.inputs}
         start = time.perf_counter()
         with bar(step.name) as advance, one_thread():
-            made = step.make(inputs, advance)
+            blocks = store.blocks(step.stage, key, warn)
+            made = step.make(inputs, advance, blocks) if step.in_blocks else step.make(inputs, advance)
         stamped = Dataset(made.variables, {**made.attrs, "step": name, "key": key, **provenance()})
         store.put(step.stage, key, stamped)
+        if step.in_blocks:
+            blocks.clear()
         loaded[name] = stamped
         outcomes[name] = Outcome(step, key, time.perf_counter() - start, False, _provenance(stamped.attrs))
         return stamped

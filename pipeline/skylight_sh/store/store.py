@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import json
 import re
+import shutil
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from skylight_sh.store import atomic, hdf5
+from skylight_sh.store.blocks import SUFFIX, Blocks
 from skylight_sh.store.dataset import Dataset
 from skylight_sh.store.hdf5 import CorruptArtifactError
 
@@ -71,6 +73,10 @@ class Store:
         """Publish an artifact atomically, with its stage and key inside."""
         hdf5.write(self.path(stage, key), dataset, f"{stage}/{key}")
 
+    def blocks(self, stage: str, key: str, warn: Callable[[str], None]) -> Blocks:
+        """Return the finished blocks of an artifact that is not whole yet; ``warn`` is told of a damaged one."""
+        return Blocks(self.root / stage / f"{key}{SUFFIX}", stage, key, warn)
+
     def entries(self) -> list[Entry]:
         """Return all artifacts, by stage and key."""
         found = [
@@ -95,7 +101,7 @@ class Store:
         atomic.write(path, (json.dumps(sorted(keys), indent=1) + "\n").encode())
 
     def collect(self) -> Iterator[Entry]:
-        """Delete, and yield, every artifact that no run's last result uses, and temporary files left behind."""
+        """Delete, and yield, every artifact that no run's last result uses, and what runs left behind unfinished."""
         used: set[str] = set()
         for path in self.root.glob("runs/*.json"):
             try:
@@ -106,6 +112,14 @@ class Store:
             if entry.key not in used:
                 entry.path.unlink()
                 yield entry
-        for path in self.root.glob("*/*.partial"):
-            if time.time() - path.stat().st_mtime > _STALE_SECONDS:
+        for path in (*self.root.glob("*/*.partial"), *self.root.glob(f"*/*{SUFFIX}/*.partial")):
+            if _is_stale(path):
                 path.unlink()
+        for folder in self.root.glob(f"*/*{SUFFIX}"):
+            if all(map(_is_stale, folder.iterdir())):
+                shutil.rmtree(folder)
+
+
+def _is_stale(path: Path) -> bool:
+    """Say whether nobody has written a file lately."""
+    return time.time() - path.stat().st_mtime > _STALE_SECONDS

@@ -1,9 +1,10 @@
-"""Transfer of a whole mesh: its pieces, chunk by chunk, and what they amount to."""
+"""Transfer of a whole mesh: block by block, and what the blocks amount to."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -11,7 +12,7 @@ from numpy.typing import NDArray
 from scipy import sparse
 
 from skylight_sh import sphere
-from skylight_sh.mesh import Mesh
+from skylight_sh.mesh import Mesh, Part
 from skylight_sh.transfer.bounces import bounced, gather
 from skylight_sh.transfer.rays import Rays
 from skylight_sh.transfer.sampling import chunks
@@ -19,10 +20,12 @@ from skylight_sh.transfer.shadowed import shadowed, unshadowed
 from skylight_sh.transfer.start_points import StartPoints, healing, start_points
 
 Array = NDArray[np.float64]
-Mapper = Callable[[Callable[[Any], Any], Sequence[Any]], Sequence[Any]]
+Arrays = Mapping[str, NDArray[Any]]
+# Applies a function to slices of the vertices, wherever it likes, and returns the results in order.
+Mapper = Callable[[Callable[[slice], Arrays], Sequence[slice]], Sequence[Arrays]]
 
-# Vertices whose random numbers are drawn together, by whoever computes them.
-CHUNK = 256
+# Vertices whose random numbers are drawn together, and those of a block: what one task computes.
+CHUNK, BLOCK = 256, 1024
 
 
 @dataclass(frozen=True)
@@ -37,13 +40,23 @@ class Options:
 
 
 @dataclass(frozen=True)
+class Setup:
+    """What every block needs."""
+
+    mesh: Mesh
+    rays: Rays
+    start: StartPoints
+    options: Options
+
+
+@dataclass(frozen=True)
 class Transfer:
     """What each vertex makes of the light.
 
     ``transfer`` ``(v, 3, N*N)``: its dot product with the light's weights is irradiance / pi, bounces included, before the
     vertex's own albedo. ``direct`` ``(v, N*N)`` is the same without bounces; ``spread`` ``(v,)`` the relative RMS of half
     the difference of two halves of the rays, ``error`` that of all vertices together. ``matrix`` ``(v, v)`` gathers what
-    vertices send out, healed like transfer itself.
+    vertices send out, healed like transfer itself; it is empty where there are no bounces.
     """
 
     transfer: Array
@@ -55,43 +68,93 @@ class Transfer:
 
 
 def precompute(mesh: Mesh, options: Options, mapper: Mapper | None = None) -> Transfer:
-    """Return the transfer of every vertex of ``mesh``; ``mapper`` applies a function to chunks, in order, where it likes."""
-    rays = Rays(mesh)
-    start = start_points(mesh, rays, options.seed)
-    parts = chunks(len(mesh.positions), CHUNK)
-    apply: Mapper = mapper or (lambda function, items: [function(item) for item in items])
+    """Return the transfer of every vertex of ``mesh``."""
+    setup = prepare(mesh, options)
+    apply: Mapper = mapper or (lambda function, parts: [function(part) for part in parts])
+    parts = blocks_of(mesh)
+    direct = apply(partial(see, setup), parts)
+    indirect = apply(partial(collect, setup), parts) if options.bounces else []
+    return finish(setup, direct, indirect)
 
-    def seen(part: slice) -> Array:
-        return shadowed(
-            rays,
-            start.points[part],
-            mesh.normals[part],
+
+def prepare(mesh: Mesh, options: Options) -> Setup:
+    """Return what every block needs."""
+    # Textures are large, and nothing here looks at them.
+    mesh = replace(mesh, parts=tuple(Part(part.name) for part in mesh.parts))
+    rays = Rays(mesh)
+    return Setup(mesh, rays, start_points(mesh, rays, options.seed), options)
+
+
+def blocks_of(mesh: Mesh) -> list[slice]:
+    """Return the vertices of each block."""
+    return chunks(len(mesh.positions), BLOCK)
+
+
+def see(setup: Setup, block: slice) -> dict[str, NDArray[Any]]:
+    """Return the shadowed transfer of a block's vertices by either half of their rays, ``halves`` ``(2, n, N*N)``."""
+    options = setup.options
+    found = [
+        shadowed(
+            setup.rays,
+            setup.start.points[part],
+            setup.mesh.normals[part],
             options.bands,
             count=options.rays,
             seed=options.seed,
             first=part.start,
         )
+        for part in _chunks_of(block)
+    ]
+    return {"halves": np.concatenate(found, axis=1)}
 
-    def gathered(part: slice) -> sparse.csr_array:
-        return gather(
-            mesh,
-            rays,
-            start.points[part],
-            mesh.normals[part],
+
+def collect(setup: Setup, block: slice) -> dict[str, NDArray[Any]]:
+    """Return a block's rows of the matrix that gathers light, as a sparse matrix's ``data``, ``indices`` and ``indptr``."""
+    options = setup.options
+    found = [
+        gather(
+            setup.mesh,
+            setup.rays,
+            setup.start.points[part],
+            setup.mesh.normals[part],
             count=options.gather_rays,
             seed=options.seed,
             first=part.start,
         )
+        for part in _chunks_of(block)
+    ]
+    rows = sparse.csr_array(sparse.vstack(found))
+    # Half the memory; a share of one ray in 256 needs no more digits.
+    return {"data": rows.data.astype(np.float32), "indices": rows.indices, "indptr": rows.indptr}
 
-    heal = healing(mesh, start.buried)
-    halves = np.concatenate(list(apply(seen, parts)), axis=1)
-    direct = heal @ halves.mean(axis=0)
-    if options.bounces:
-        matrix = sparse.csr_array(heal @ sparse.csr_array(sparse.vstack(list(apply(gathered, parts)))))
-    else:
-        matrix = sparse.csr_array((len(direct), len(direct)))
-    spread, error = spread_of(halves, ~start.buried)
-    return Transfer(bounced(direct, mesh.albedo, matrix, options.bounces), direct, spread, error, start, matrix)
+
+def finish(setup: Setup, direct: Sequence[Arrays], indirect: Sequence[Arrays]) -> Transfer:
+    """Return the transfer that blocks of ``see`` and of ``collect`` amount to; the latter may be none, without bounces."""
+    heal = healing(setup.mesh, setup.start.buried)
+    halves = np.concatenate([block["halves"] for block in direct], axis=1)
+    shadows = heal @ halves.mean(axis=0)
+    matrix = gather_matrix(setup, indirect)
+    whole = bounced(shadows, setup.mesh.albedo, matrix, setup.options.bounces)
+    spread, error = spread_of(halves, ~setup.start.buried)
+    return Transfer(whole, shadows, spread, error, setup.start, matrix)
+
+
+def gather_matrix(setup: Setup, indirect: Sequence[Arrays]) -> sparse.csr_array:
+    """Return the whole matrix ``(v, v)`` that gathers light, healed, of blocks of ``collect``; an empty one of none."""
+    count = len(setup.mesh.positions)
+    if not indirect:
+        return sparse.csr_array((count, count))
+    rows = [
+        sparse.csr_array(
+            (block["data"].astype(np.float64), block["indices"], block["indptr"]), shape=(len(block["indptr"]) - 1, count)
+        )
+        for block in indirect
+    ]
+    whole = sparse.csr_array(sparse.vstack(rows))
+    buried = setup.start.buried
+    if not buried.any():
+        return whole
+    return sparse.csr_array(healing(setup.mesh, buried) @ whole)
 
 
 def spread_of(halves: Array, valid: NDArray[np.bool_]) -> tuple[Array, float]:
@@ -109,3 +172,7 @@ def open_transfer(mesh: Mesh, bands: int) -> Array:
     """Return the transfer ``(v, 3, N*N)`` of a mesh that blocks nothing."""
     sphere.check_bands(bands)
     return np.repeat(unshadowed(mesh.normals, bands)[:, np.newaxis], 3, axis=1)
+
+
+def _chunks_of(block: slice) -> list[slice]:
+    return [slice(start, min(start + CHUNK, block.stop)) for start in range(block.start, block.stop, CHUNK)]

@@ -52,6 +52,7 @@ class Rays:
         low, high = mesh.positions.min(axis=0), mesh.positions.max(axis=0)
         self.centre: Array = 0.5 * (low + high)
         self.size = float((high - low).max())
+        self._of = mesh
         self._corners = mesh.corners
         self._scene: Any = EmbreeScene()
         # Kept: Embree reads the arrays where they are.
@@ -60,6 +61,10 @@ class Rays:
             np.ascontiguousarray(self._placed(mesh.positions)),
             np.ascontiguousarray(mesh.triangles, dtype=np.int32),
         )
+
+    def __reduce__(self) -> tuple[type[Rays], tuple[Mesh]]:
+        """Send the mesh to another process, which makes it ready anew."""
+        return Rays, (self._of,)
 
     def occluded(self, origins: Array, directions: Array, near: float = 0.0) -> NDArray[np.bool_]:
         """Say ``(n,)`` which rays from ``origins`` ``(n, 3)`` along unit ``directions`` ``(n, 3)`` meet anything.

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 from numpy.typing import NDArray
+from scipy.spatial import cKDTree
 
 Array = NDArray[np.float64]
+Index = NDArray[np.int64]
 
 _GOLDEN = np.pi * (3.0 - np.sqrt(5.0))
 
@@ -23,6 +27,42 @@ def cosine_fibonacci(count: int, start: float = 0.5, spin: float = 0.0) -> Array
     square = k / count
     radius, angle = np.sqrt(square), _GOLDEN * k + spin
     return np.stack([radius * np.cos(angle), radius * np.sin(angle), np.sqrt(1.0 - square)], axis=-1)
+
+
+@dataclass(frozen=True)
+class Cells:
+    """A fine lattice of ``directions`` ``(n, 3)``, grouped into the cells of a coarse one.
+
+    ``middles`` ``(cells, 2)`` are the coarse points in the disc below, ``cell`` ``(n,)`` is each direction's cell, and
+    ``first`` ``(cells,)`` one of its directions, drawn at random.
+    """
+
+    directions: Array
+    middles: Array
+    cell: Index
+    first: Index
+
+
+def cells(count: int, each: int, random: np.random.Generator) -> Cells:
+    """Return a cosine-weighted lattice of ``count`` cells, ``each`` of so many directions on average.
+
+    Cells are those of the nearest coarse point in the disc below, where the cosine-weighted measure is even. Both lattices
+    are shifted and spun at random.
+    """
+    coarse = cosine_fibonacci(count, random.random(), 2.0 * np.pi * random.random())[:, :2]
+    fine = cosine_fibonacci(count * each, random.random(), 2.0 * np.pi * random.random())
+    _, cell = cKDTree(coarse).query(fine[:, :2])
+    # A cell that holds no direction, at the rim, takes the nearest one; the others take any of theirs.
+    _, first = cKDTree(fine[:, :2]).query(coarse)
+    order = random.permutation(count * each)
+    first[cell[order]] = order
+    return Cells(fine, coarse, np.asarray(cell), np.asarray(first))
+
+
+def nearest(of: Cells, among: Cells, count: int) -> Index:
+    """Return for each cell the ``count`` nearest ones of another lattice, ``(cells, count)``."""
+    _, found = cKDTree(among.middles).query(of.middles, k=min(count, len(among.middles)))
+    return np.asarray(found).reshape(len(of.middles), -1)
 
 
 def frames(normals: Array, spins: Array) -> Array:

@@ -7,11 +7,17 @@ from numpy.typing import NDArray
 
 from skylight_sh import sphere
 from skylight_sh.transfer.rays import Rays
-from skylight_sh.transfer.sampling import cosine_fibonacci, frames, generator
+from skylight_sh.transfer.sampling import Cells, cells, frames, generator, nearest
 
 Array = NDArray[np.float64]
 
 _PURPOSE = 1
+# Directions of a cell: as many rays go into it where the mesh's outline crosses it.
+_EACH = 4
+# Of all rays, those that look where outlines are; how many of the other half's cells a cell asks.
+_COARSE, _ABOUT = 0.6, 7
+# As many vertices at once as the caches hold rays of.
+_AT_ONCE = 64
 
 
 def unshadowed(normals: Array, bands: int) -> Array:
@@ -29,37 +35,59 @@ def unshadowed(normals: Array, bands: int) -> Array:
 def shadowed(rays: Rays, points: Array, normals: Array, bands: int, *, count: int, seed: int, first: int) -> Array:
     """Return the transfer of a chunk of vertices from either half of their rays, ``(2, n, N*N)``; the whole is the mean.
 
-    ``points`` ``(n, 3)`` are where rays start, ``normals`` ``(n, 3)`` unit vectors, ``count`` the number of rays, an even
-    one, ``first`` the index of the chunk's first vertex. Either half is a lattice of its own, shifted and spun at random, so
-    that half their difference tells the error of their mean honestly; halves of one lattice would make it too large.
+    ``points`` ``(n, 3)`` are where rays start, ``normals`` ``(n, 3)`` unit vectors, ``count`` about as many rays as a vertex
+    gets, ``first`` the index of the chunk's first vertex. Either half has a lattice of its own, shifted and spun at random:
+    half their difference tells the error of their mean, as halves of one lattice would not.
 
     Directions lie in the vertex's own frame, so that one product of visibility and basis projects a whole chunk; each
     vertex's weights are then turned into the world by their values in fixed directions, which is exact.
     """
     random = generator(seed, _PURPOSE, first)
-    return np.stack([_half(rays, points, normals, bands, count // 2, random) for _ in range(2)])
-
-
-def _half(rays: Rays, points: Array, normals: Array, bands: int, count: int, random: np.random.Generator) -> Array:
-    local = cosine_fibonacci(count, start=random.random(), spin=2.0 * np.pi * random.random())
+    coarse = max(2, round(_COARSE * count / 2))
+    halves = [cells(coarse, _EACH, random) for _ in range(2)]
     turned = frames(normals, 2.0 * np.pi * random.random(len(points)))
-    visible = np.empty((len(points), count))
-    # As many rays at once as the caches hold.
-    for i in range(0, len(points), 32):
-        some = slice(i, i + 32)
-        along = (local @ turned[some].transpose(0, 2, 1)).reshape(-1, 3)
-        blocked = rays.occluded(np.repeat(points[some], count, axis=0), along)
-        visible[some] = ~blocked.reshape(-1, count)
-    return to_world(visible @ sphere.basis(local, bands) / count, turned)
+    basis = [(sphere.basis(half.directions, bands) / len(half.directions)).astype(np.float32) for half in halves]
+    found = np.empty((2, len(points), bands * bands))
+    for i in range(0, len(points), _AT_ONCE):
+        some = slice(i, i + _AT_ONCE)
+        for half, seen in enumerate(_visible(rays, points[some], turned[some], halves)):
+            found[half, some] = seen @ basis[half]
+    return to_world(found, turned)
+
+
+def _visible(rays: Rays, points: Array, turned: Array, halves: list[Cells]) -> list[NDArray[np.float32]]:
+    """Return which directions ``(n, directions)`` of either half are open, as 0 and 1.
+
+    There is a ray for each cell. Where an outline crosses a cell there is one for all of its directions; whether it does is
+    asked of the other half's rays, since a cell that looks at its own would pass over what it just misses.
+    """
+    blocked = [_cast(rays, points, turned, half) for half in halves]
+    seen = []
+    for own, other, half, near in zip(blocked, blocked[::-1], halves, halves[::-1], strict=True):
+        around = other[:, nearest(half, near, _ABOUT)]
+        crossed = around.any(axis=2) & ~around.all(axis=2)
+        asked = crossed[:, half.cell]
+        asked[:, half.first] = False
+        whole = own[:, half.cell]
+        row, column = np.nonzero(asked)
+        whole[row, column] = rays.occluded(points[row], np.einsum("nij,nj->ni", turned[row], half.directions[column]))
+        seen.append((~whole).astype(np.float32))
+    return seen
+
+
+def _cast(rays: Rays, points: Array, turned: Array, half: Cells) -> NDArray[np.bool_]:
+    along = half.directions[half.first] @ turned.transpose(0, 2, 1)
+    count = len(half.first)
+    return rays.occluded(np.repeat(points, count, axis=0), along.reshape(-1, 3)).reshape(-1, count)
 
 
 def to_world(weights: Array, turned: Array) -> Array:
-    """Return SH weights ``(n, N*N)`` of functions in ``n`` frames ``(n, 3, 3)`` in the world's axes."""
+    """Return SH weights ``(..., n, N*N)`` of functions in ``n`` frames ``(n, 3, 3)`` in the world's axes."""
     bands = sphere.bands_of(weights)
     fixed = sphere.spiral(2 * bands * bands)
     back = np.linalg.pinv(sphere.basis(fixed, bands))
     matrices = back @ sphere.basis(_unit(fixed @ turned), bands)
-    return np.asarray(np.einsum("nij,nj->ni", matrices, weights))
+    return np.asarray(np.einsum("nij,...nj->...ni", matrices, weights))
 
 
 def _unit(vectors: Array) -> Array:

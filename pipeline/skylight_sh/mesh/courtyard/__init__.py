@@ -62,7 +62,7 @@ def courtyard() -> Mesh:
     def add(name: str, colour: Sequence[float], piece: Piece, texture: Array | None = None) -> None:
         parts.append((Part(name, texture), colour, piece))
 
-    add("wall", WALL, box((-6.4, -13.5, _GAP), (-6.0, 4.17, 3.1), 0.33, without="-z", finer=0.06))
+    add("wall", WALL, box((-6.4, -13.5, _GAP), (-6.0, 4.17, 3.1), 0.4, without="-z", finer=0.06))
     add("coping", STONE, box((-6.5, -13.55, 3.1 + _GAP), (-5.93, 4.17, 3.19), 0.8))
     add("arches", PLASTER, _arcade.arches(_PLAN))
     add("cornice", STONE, _arcade.cornice(_PLAN))
@@ -83,15 +83,15 @@ def courtyard() -> Mesh:
             feet.append(round_foot(thing.x, thing.y, thing.radius))
         elif thing.sides:
             feet.append(box_foot(*thing.sides))
-    terrace = box((-6.0 + _GAP, 3.9, -0.02), (_PLAN.east + 0.35, _PLAN.back - _GAP, 0.15), 0.4, without="+z-z", finer=0.05)
+    terrace = box((-6.0 + _GAP, 3.9, _GAP), (_PLAN.east + 0.35, _PLAN.back - _GAP, 0.15), 0.4, without="+z-z-x+y")
     feet.append(box_foot(-6.0 + _GAP, 3.9, _PLAN.east + 0.35, _PLAN.back))
     standing = [box_foot(x - 0.3, y - 0.3, x + 0.3, y + 0.3) for x, y in _PLAN.columns]
     west, east = -6.0 + _GAP, _PLAN.east + 0.35
-    top = floor((west, 3.9, east, _PLAN.back - _GAP), 0.15, 0.42, standing)
+    top = floor((west, 3.9, east, _PLAN.back - _GAP), 0.15, 0.5, standing)
     texture = slabs()
     add("terrace", STONE, terrace)
     add("terrace floor", (1.0, 1.0, 1.0), top, texture)
-    add("paving", (1.0, 1.0, 1.0), floor(_COURT, 0.0, 0.36, feet), texture)
+    add("paving", (1.0, 1.0, 1.0), floor(_COURT, 0.0, 0.4, feet), texture)
     add("earth", EARTH, earth(_FAR, _COURT))
     return assembled(parts)
 

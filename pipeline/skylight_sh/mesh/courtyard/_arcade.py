@@ -16,11 +16,11 @@ _SPRING, _TOP, _THICK = 2.45, 4.3, 0.46
 _HALF_PIER = 0.27
 # Radius and height of a column between its square plinth and abacus, which end at 0.14 and 2.33.
 _COLUMN = (
-    *((0.0, 0.142), (0.27, 0.142), (0.285, 0.165), (0.285, 0.19), (0.265, 0.215), (0.235, 0.222), (0.228, 0.25)),
-    *((0.248, 0.268), (0.25, 0.285), (0.235, 0.305), (0.207, 0.315), (0.2, 0.36)),
-    *((0.199, 0.6), (0.197, 0.95), (0.192, 1.3), (0.185, 1.6), (0.177, 1.85), (0.17, 2.04)),
-    *((0.19, 2.05), (0.196, 2.066), (0.19, 2.082), (0.17, 2.09)),
-    *((0.172, 2.16), (0.185, 2.2), (0.215, 2.245), (0.255, 2.285), (0.27, 2.31), (0.272, 2.328), (0.0, 2.328)),
+    *((0.265, 0.142), (0.285, 0.165), (0.285, 0.19), (0.262, 0.215), (0.23, 0.222), (0.228, 0.25)),
+    *((0.248, 0.268), (0.248, 0.29), (0.21, 0.312), (0.2, 0.36)),
+    *((0.199, 0.65), (0.196, 1.05), (0.189, 1.45), (0.179, 1.8), (0.17, 2.04)),
+    *((0.192, 2.055), (0.192, 2.078), (0.17, 2.09)),
+    *((0.174, 2.17), (0.2, 2.23), (0.25, 2.28), (0.27, 2.328)),
 )
 
 
@@ -55,7 +55,7 @@ class Arcade:
         return self.front + _THICK + self.depth
 
 
-def column(around: int = 22) -> Piece:
+def column(around: int = 18) -> Piece:
     """Return a column with a square plinth and abacus, its foot at the origin."""
     plinth = box((-0.3, -0.3, _GAP), (0.3, 0.3, 0.14), 0.6)
     abacus = box((-0.3, -0.3, 2.33), (0.3, 0.3, _SPRING - _GAP), 0.3)
@@ -92,10 +92,10 @@ def cornice(plan: Arcade) -> Piece:
 def roof(plan: Arcade, tile: float = 0.24) -> Piece:
     """Return the roof: half-round tiles that rise to the north, on boards."""
     count = round((plan.east + 0.75 - plan.west) / tile)
-    phase = np.arange(count * 6 + 1) / 6.0
+    phase = np.arange(count * 5 + 1) / 5.0
     x = plan.west - 0.45 + tile * phase
     bulge = 0.075 * np.sqrt(np.maximum(np.sin(np.pi * (phase % 1.0)), 0.0))
-    slope = np.linspace(0.0, 1.0, 4)
+    slope = np.linspace(0.0, 1.0, 2)
     y = plan.front - 0.42 + (plan.depth + _THICK + 1.0) * slope
     low = _TOP + 0.26 + 0.95 * slope
     top = np.stack(np.broadcast_arrays(x, y[:, np.newaxis], low[:, np.newaxis] + bulge), axis=-1)
@@ -112,7 +112,7 @@ def walls(plan: Arcade) -> Piece:
     """Return the back wall of the walk, and the wall at its western end."""
     high = _TOP - 0.1
     back = box(
-        (plan.west - 0.4, plan.back, _GAP), (plan.east + 0.1, plan.back + 0.4, high), 0.36, finer=0.06, without="+y-z+z"
+        (plan.west - 0.4, plan.back, _GAP), (plan.east + 0.1, plan.back + 0.4, high), 0.45, finer=0.07, without="+y-z+z"
     )
     outside = box((plan.west - 0.4, plan.back, _GAP), (plan.east + 0.1, plan.back + 0.4, high), 3.0, without="-y-x+x-z")
     west = box(
@@ -124,9 +124,9 @@ def walls(plan: Arcade) -> Piece:
 def ceiling(plan: Arcade) -> tuple[Piece, Piece]:
     """Return the ceiling's boards, and its beams."""
     south, north, low = plan.front + _THICK + _GAP, plan.back - _GAP, _TOP - 0.3
-    boards = box((plan.west - 0.39, south, low), (plan.east + 0.1, north, low + 0.05), 0.5, without="+z")
+    boards = box((plan.west - 0.39, south, low), (plan.east + 0.1, north, low + 0.05), 0.6, without="+z")
     x = np.arange(plan.west + 0.2, plan.east, 0.85)
-    beams = [box((at - 0.06, south, low - 0.2), (at + 0.06, north, low - _GAP), 0.55) for at in x]
+    beams = [box((at - 0.06, south, low - 0.2), (at + 0.06, north, low - _GAP), 0.9) for at in x]
     return boards.moved((0.0, 0.0, plan.floor)), joined(beams).moved((0.0, 0.0, plan.floor))
 
 
@@ -139,7 +139,7 @@ def door(plan: Arcade, bay: int) -> tuple[Piece, Piece]:
         box((x - 0.78, y - 0.09, 2.25 + _GAP), (x + 0.78, y - _GAP, 2.42), 0.4),
     ]
     boards = [
-        box((x + at + 0.004, y - 0.035, 0.02), (x + at + 0.141, y - _GAP, 2.24), 0.6) for at in np.arange(-0.58, 0.57, 0.145)
+        box((x + at + 0.004, y - 0.035, 0.02), (x + at + 0.141, y - _GAP, 2.24), 0.9) for at in np.arange(-0.58, 0.57, 0.145)
     ]
     return joined(sides).moved((0.0, 0.0, plan.floor)), joined(boards).moved((0.0, 0.0, plan.floor))
 

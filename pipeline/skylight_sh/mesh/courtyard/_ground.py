@@ -67,7 +67,7 @@ def floor(area: tuple[float, float, float, float], height: float, spacing: float
     inner = _lattice(area, spacing)
     rings = []
     for i, distance in enumerate(_RINGS):
-        step = min(spacing, 0.1 + 0.45 * distance)
+        step = min(spacing, 0.14 + 0.45 * distance)
         # One ring gives way to another foot's nearer ones.
         for number, foot in enumerate(feet):
             points = foot.beyond(distance, step)
@@ -114,14 +114,14 @@ def slabs(seed: int = 5) -> Array:
 
 
 def earth(far: float, hole: tuple[float, float, float, float]) -> Piece:
-    """Return the ground about a court, out to ``far`` metres, a little below it: rings of ever larger quads."""
+    """Return the ground about a court, out to ``far`` metres: rings of ever larger quads."""
     west, south, east, north = hole
     corners = np.array([[west, south], [east, south], [east, north], [west, north]])
     sides = np.concatenate([np.linspace(a, b, 7)[:-1] for a, b in zip(corners, np.roll(corners, -1, axis=0), strict=True)])
     middle = corners.mean(axis=0)
     scale = np.geomspace(1.0, far / 8.0, 9)
     points = middle + (sides - middle) * scale[:, np.newaxis, np.newaxis]
-    positions = np.concatenate([points, np.full((*points.shape[:2], 1), -0.03)], axis=-1)
+    positions = np.concatenate([points, np.zeros((*points.shape[:2], 1))], axis=-1)
     index = np.arange(positions.shape[0] * positions.shape[1]).reshape(positions.shape[:2])
     index = np.concatenate([index, index[:, :1]], axis=1)
     a, b, c, d = (part.ravel() for part in (index[:-1, :-1], index[:-1, 1:], index[1:, 1:], index[1:, :-1]))

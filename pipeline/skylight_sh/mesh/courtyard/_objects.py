@@ -44,13 +44,13 @@ def things() -> list[Thing]:
         Thing("plinth", "MARBLE", _plinth().moved((x, y, 0.45))),
         Thing("sculpture", "OCHRE", _sculpture().moved((x, y, 1.29), turn=0.35)),
         *_bench(-5.72, -3.6),
-        _jar("blue jar", "GLAZE", 1.0, 3.05, -2.3, 26),
-        _jar("clay jar", "CLAY", 0.86, -4.9, 2.75, 22),
-        _jar("small jar", "MARBLE", 0.42, -4.15, 2.2, 18),
-        _jar("far jar", "CLAY", 0.9, 6.4, 3.2, 20),
+        _jar("blue jar", "GLAZE", 1.0, 3.05, -2.3, 24),
+        _jar("clay jar", "CLAY", 0.86, -4.9, 2.75, 18),
+        _jar("small jar", "MARBLE", 0.42, -4.15, 2.2, 14),
+        _jar("far jar", "CLAY", 0.9, 6.4, 3.2, 16),
     ]
     for i, (px, py, seed) in enumerate(((0.9, 3.25, 1), (-5.2, -0.9, 2))):
-        found.append(Thing(f"pot {i + 1}", "CLAY", lathe(_POT, 20).moved((px, py, _GAP)), px, py, 0.2))
+        found.append(Thing(f"pot {i + 1}", "CLAY", lathe(_POT, 18).moved((px, py, _GAP)), px, py, 0.2))
         found.append(Thing(f"agave {i + 1}", "LEAF", _agave(seed).moved((px, py, 0.47))))
     for i, (px, py, high, wide) in enumerate(((9.3, -6.4, 6.6, 0.75), (10.9, -4.4, 7.8, 0.9), (11.6, -8.6, 5.6, 0.7))):
         found.append(Thing(f"cypress {i + 1}", "CYPRESS", _cypress(high, wide, i).moved((px, py, 0.0))))
@@ -78,7 +78,7 @@ def _steps() -> Piece:
                 (inner + 0.012, high),
             ),
         ]
-        made.append(lathe([*profile, (0.0, high)], 44))
+        made.append(lathe([*profile, (0.0, high)], 36))
     return joined(made)
 
 
@@ -88,12 +88,12 @@ def _plinth() -> Piece:
         *((0.0, _GAP), (0.4, _GAP), (0.4, 0.06), (0.38, 0.075), (0.345, 0.09), (0.33, 0.12), (0.322, 0.16)),
         *((0.318, 0.4), (0.322, 0.64), (0.335, 0.68), (0.37, 0.705), (0.4, 0.72), (0.4, 0.79), (0.385, 0.805), (0.0, 0.805)),
     )
-    return lathe(profile, 34)
+    return lathe(profile, 28)
 
 
 def _sculpture() -> Piece:
     """Return a ribbon that turns about itself once on its way around a leaning loop."""
-    turns = np.arange(132) / 132
+    turns = np.arange(112) / 112
     angle = 2.0 * np.pi * turns
     wide = 0.60 + 0.10 * np.cos(2.0 * angle) + 0.05 * np.sin(3.0 * angle)
     path = np.stack(
@@ -102,7 +102,7 @@ def _sculpture() -> Piece:
     )
 
     def outline(places: Array) -> Array:
-        around = 2.0 * np.pi * np.arange(20) / 20
+        around = 2.0 * np.pi * np.arange(18) / 18
         cos, sin = np.cos(around), np.sin(around)
         long, thin = np.sign(cos) * np.abs(cos) ** 0.75, np.sign(sin) * np.abs(sin) ** 0.75
         swell = 1.0 + 0.25 * np.cos(2.0 * np.pi * places)
@@ -113,7 +113,7 @@ def _sculpture() -> Piece:
         c, s = np.cos(turn)[:, np.newaxis], np.sin(turn)[:, np.newaxis]
         return np.stack([c * flat[..., 0] - s * flat[..., 1], s * flat[..., 0] + c * flat[..., 1]], axis=-1)
 
-    loop = tube(path, outline, 20)
+    loop = tube(path, outline, 18)
     return loop.moved((0.0, 0.0, -float(loop.positions[:, 2].min())))
 
 
@@ -129,8 +129,8 @@ def _bench(x: float, y: float) -> list[Thing]:
 def _agave(seed: int) -> Piece:
     random = np.random.default_rng(seed)
     leaves = []
-    for i in range(22):
-        ring = i / 22
+    for i in range(18):
+        ring = i / 18
         length = 0.34 + 0.2 * (1.0 - abs(ring - 0.45)) + random.uniform(-0.03, 0.03)
         leaf = blade(
             length, 0.05, 0.014, lift=0.35 + 1.05 * ring + random.uniform(-0.06, 0.06), droop=0.75 * (1.0 - ring) + 0.1

@@ -1,0 +1,69 @@
+"""Which mesh a transfer is of, and how it is computed."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Callable
+from dataclasses import asdict, dataclass
+from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
+from typing import Any, Literal
+
+from skylight_sh.mesh import Mesh, read
+from skylight_sh.mesh.courtyard import courtyard
+from skylight_sh.transfer.precompute import Options
+
+# Meshes that are made by code.
+MADE: dict[str, Callable[[], Mesh]] = {"courtyard": courtyard}
+
+
+@dataclass(frozen=True)
+class MeshSource:
+    """A mesh, ``file`` or one of ``MADE``, with ``up`` as its upward axis, and the options of its transfer.
+
+    ``unshadowed`` surfaces see no mesh.
+    """
+
+    file: Path
+    options: Options
+    up: Literal["y", "z"] | None = None
+    unshadowed: bool = False
+
+    @property
+    def made(self) -> bool:
+        """Whether code makes the mesh."""
+        return str(self.file) in MADE
+
+    def mesh(self, warn: Callable[[str], None] = lambda _: None) -> Mesh:
+        """Return the mesh; ``warn`` is told what was found wrong with it and healed. Raises UserError."""
+        if self.made:
+            return MADE[str(self.file)]()
+        found, findings = read(self.file, self.up)
+        for finding in findings:
+            warn(str(finding))
+        return found
+
+    def parameters(self) -> dict[str, Any]:
+        """Return what decides the transfer beside its code, JSON-like."""
+        return {
+            "mesh": str(self.file) if self.made else _sum(self.file),
+            "up": self.up,
+            "options": asdict(self.options),
+            "unshadowed": self.unshadowed,
+            "libraries": {name: _version(name) for name in ("embreex", *(() if self.made else ("trimesh",)))},
+        }
+
+
+def _sum(file: Path) -> str:
+    """Return the SHA-256 of a file, or nothing where it cannot be read: the step then tells why."""
+    try:
+        return hashlib.sha256(file.read_bytes()).hexdigest()
+    except OSError:
+        return ""
+
+
+def _version(name: str) -> str:
+    try:
+        return version(name)
+    except PackageNotFoundError:
+        return ""

@@ -1,0 +1,78 @@
+"""Transfer: what each vertex of a mesh makes of the light, in blocks of vertices that a stopped run need not do again."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import partial
+
+import numpy as np
+
+from skylight_sh.mesh import Mesh
+from skylight_sh.run.blocks import Arrays, map_in_blocks
+from skylight_sh.run.executors import Advance
+from skylight_sh.run.mesh_source import MeshSource
+from skylight_sh.run.plan import Inputs
+from skylight_sh.store.blocks import Blocks
+from skylight_sh.store.dataset import Dataset, Variable
+from skylight_sh.transfer.precompute import Setup, Transfer, blocks_of, collect, finish, open_transfer, prepare, see
+from skylight_sh.transfer.start_points import told
+
+_MEANING = "its dot product with the SH weights of the light is irradiance / pi, bounces included, before the albedo"
+_BASIS = "real orthonormal spherical harmonics without the Condon-Shortley sign, index l * (l + 1) + m"
+_AXES = "+x east, +y north, +z up; azimuths from +x towards +y"
+
+
+def make(source: MeshSource, executor: str, workers: int, _: Inputs, advance: Advance, blocks: Blocks) -> Dataset:
+    """Compute the transfer of a mesh."""
+    mesh, options = source.mesh(blocks.warn), source.options
+    if source.unshadowed:
+        return _dataset(source, mesh, open_transfer(mesh, options.bands), None)
+    setup = prepare(mesh, options)
+    for text in told(mesh, setup.start):
+        blocks.warn(text)
+    found = in_blocks(setup, executor, workers, advance, blocks)
+    return _dataset(source, mesh, found.transfer, found)
+
+
+def in_blocks(setup: Setup, executor: str, workers: int, advance: Advance, blocks: Blocks) -> Transfer:
+    """Return the transfer of the mesh of ``setup``, block by block."""
+    parts = blocks_of(setup.mesh)
+    passes = [("direct", see), *([("gather", collect)] if setup.options.bounces else [])]
+    done: list[Sequence[Arrays]] = []
+    for turn, (name, function) in enumerate(passes):
+        named = [(f"{name}-{part.start}", part) for part in parts]
+        total = len(passes) * len(parts)
+        done.append(
+            map_in_blocks(
+                partial(function, setup),
+                named,
+                blocks,
+                executor=executor,
+                workers=workers,
+                advance=lambda ready, _, before=turn * len(parts), total=total: advance(before + ready, total),  # type: ignore[misc]
+            )
+        )
+    return finish(setup, done[0], done[1] if setup.options.bounces else [])
+
+
+def _dataset(source: MeshSource, mesh: Mesh, transfer: np.ndarray, found: Transfer | None) -> Dataset:
+    variables = {
+        "transfer": Variable(("vertex", "channel", "weight"), transfer.astype(np.float32), {"long_name": _MEANING}),
+        "position": Variable(("vertex", "axis"), mesh.positions, {"long_name": _AXES, "units": "the mesh's own"}),
+        "normal": Variable(("vertex", "axis"), mesh.normals),
+        "albedo": Variable(("vertex", "channel"), mesh.albedo, {"long_name": "linear RGB, 0 to 1"}),
+        "uv": Variable(("vertex", "coordinate"), mesh.uv),
+        "triangle": Variable(("triangle_index", "corner"), mesh.triangles.astype(np.int32)),
+        "part": Variable(("triangle_index",), mesh.part.astype(np.int32)),
+        "part_name": Variable(("part_index",), np.array([part.name for part in mesh.parts], dtype=object)),
+        "channel": Variable(("channel",), np.array(["red", "green", "blue"], dtype=object)),
+    }
+    attrs = {"bands": source.options.bands, "basis": _BASIS, "axes": _AXES}
+    if found is None:
+        return Dataset(variables, attrs | {"error": 0.0, "bounces": 0, "rays": 0})
+    variables["spread"] = Variable(("vertex",), found.spread, {"long_name": "relative error of a vertex, without bounces"})
+    variables["behind"] = Variable(("vertex",), found.start.behind, {"long_name": "share of rays that meet a back face"})
+    variables["healed"] = Variable(("vertex",), found.start.buried.astype(np.uint8), {"long_name": "taken from neighbours"})
+    options = source.options
+    attrs |= {"error": found.error, "bounces": options.bounces, "rays": options.rays, "gather_rays": options.gather_rays}
+    return Dataset(variables, attrs | {"seed": options.seed})
