@@ -30,6 +30,7 @@ COMMANDS = {
     "export": Entry("Write a day of skies at a place on Earth, as an engine reads them.", "solar"),
     "project": Entry("Print the SH weights of a picture of the whole sphere.", "images"),
     "lightmap": Entry("Bake a table's light at the texels of a mesh, for normal maps.", "transfer"),
+    "transfer": Entry("Compute what the vertices of a mesh make of the light around it.", "transfer"),
     "verify": Entry("Run a released result again and compare every byte.", "pipeline"),
     "artifacts": Entry("List, show, verify and clean the artifact store.", "pipeline"),
     "config": Entry("Describe and check configs.", "pipeline"),

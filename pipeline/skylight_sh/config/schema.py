@@ -10,6 +10,7 @@ from pydantic import Field, PrivateAttr
 
 from skylight_sh import shipped
 from skylight_sh.config.choices import AnyOf, OneOf
+from skylight_sh.config.mesh_schema import MeshSection
 from skylight_sh.config.section import Section
 from skylight_sh.config.surroundings_schema import CloudsSection, OccluderSection
 from skylight_sh.export.targets import ALWAYS, TARGETS
@@ -180,6 +181,7 @@ class SceneSection(Section):
     lights: tuple[Annotated[Lamp, AnyOf(LAMPS, "kind", "a light that never moves")], ...] = Field(
         (), description=f"lights that never move: kind = {', '.join(LAMPS)}"
     )
+    mesh: MeshSection | None = Field(None, description="surfaces that the light falls on, whose transfer is computed")
     window: bool = Field(False, description="fold the zonal window of eq. 5 into the weights")
     fixed: dict[str, float] = Field({}, description="parameters that never change, e.g. { turbidity = 3.0 }")
     azimuth: float | None = Field(None, description="the sun's azimuth in radians, if it never changes")

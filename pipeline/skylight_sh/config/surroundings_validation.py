@@ -18,7 +18,7 @@ def find(config: Config) -> Iterator[Problem]:
     """Yield every problem."""
     yield from _together(config)
     yield from _spheres(config)
-    yield from _pictures(config)
+    yield from _files(config)
 
 
 def _lights(config: Config) -> list[tuple[str, Lamp]]:
@@ -67,11 +67,12 @@ def _spheres(config: Config) -> Iterator[Problem]:
             yield Problem(f"{path}.radius", ball.radius, told)
 
 
-def _pictures(config: Config) -> Iterator[Problem]:
-    """Yield the pictures that lie elsewhere; none is read."""
+def _files(config: Config) -> Iterator[Problem]:
+    """Yield the files that lie elsewhere; none is read."""
     named = [("$.scene.clouds.image", config.scene.clouds.image)] if config.scene.clouds else []
     named += [(f"{path}.image", light.image) for path, light in _lights(config) if light.image]
+    named += [("$.scene.mesh.file", config.scene.mesh.file)] if config.scene.mesh else []
     folder = config.folder.resolve()
-    for path, image in named:
-        if "\0" in image or not (folder / image).resolve().is_relative_to(folder):
-            yield Problem(path, image, "Leaves the config's folder. Put the picture beside the config, or below.")
+    for path, file in named:
+        if "\0" in file or not (folder / file).resolve().is_relative_to(folder):
+            yield Problem(path, file, "Leaves the config's folder. Put the file beside the config, or below.")

@@ -1,4 +1,4 @@
-"""Stages whose result is files: their bytes live in the store, and are published under ``reports/``."""
+"""Stages' results as files: their bytes live in the store, or are made of it, and are published under ``reports/``."""
 
 from __future__ import annotations
 
@@ -8,7 +8,10 @@ import numpy as np
 
 from skylight_sh.store.dataset import Dataset, Variable
 
+TRANSFER_FILE = "transfer.h5"
 _PLACE = "files/"
+# What an artifact tells of itself and its maker, which no result hangs on.
+_OF_THE_STORE = ("step", "key", "provenance")
 
 
 def to_dataset(files: Mapping[str, bytes]) -> Dataset:
@@ -23,3 +26,11 @@ def from_dataset(dataset: Dataset) -> dict[str, bytes]:
     {'a.txt': b'told'}
     """
     return {name.removeprefix(_PLACE): v.data.tobytes() for name, v in dataset.variables.items() if name.startswith(_PLACE)}
+
+
+def transfer_file(dataset: Dataset) -> bytes:
+    """Return the file that is published of a mesh's transfer: the artifact without what tells of its maker."""
+    from skylight_sh.store import hdf5
+
+    attrs = {name: value for name, value in dataset.attrs.items() if name not in _OF_THE_STORE}
+    return hdf5.content(Dataset(dataset.variables, attrs), "transfer")

@@ -7,14 +7,16 @@ from collections.abc import Callable
 from dataclasses import asdict, dataclass
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
-from skylight_sh.mesh import Mesh, read
-from skylight_sh.mesh.courtyard import courtyard
-from skylight_sh.transfer.precompute import Options
+from skylight_sh.run.code import Later
+from skylight_sh.transfer.options import Options
+
+if TYPE_CHECKING:
+    from skylight_sh.mesh import Mesh
 
 # Meshes that are made by code.
-MADE: dict[str, Callable[[], Mesh]] = {"courtyard": courtyard}
+MADE = {"courtyard": Later("skylight_sh.mesh.courtyard:courtyard", ())}
 
 
 @dataclass(frozen=True)
@@ -36,11 +38,14 @@ class MeshSource:
 
     def mesh(self, warn: Callable[[str], None] = lambda _: None) -> Mesh:
         """Return the mesh; ``warn`` is told what was found wrong with it and healed. Raises UserError."""
+        from skylight_sh.mesh import read
+
         if self.made:
-            return MADE[str(self.file)]()
+            made: Mesh = MADE[str(self.file)]()
+            return made
         found, findings = read(self.file, self.up)
         for finding in findings:
-            warn(str(finding))
+            warn(finding.sentence)
         return found
 
     def parameters(self) -> dict[str, Any]:
@@ -50,7 +55,7 @@ class MeshSource:
             "up": self.up,
             "options": asdict(self.options),
             "unshadowed": self.unshadowed,
-            "libraries": {name: _version(name) for name in ("embreex", *(() if self.made else ("trimesh",)))},
+            "embree": _version("embreex"),
         }
 
 

@@ -6,7 +6,7 @@ import json
 import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from skylight_sh.run.blas import one_thread
 from skylight_sh.run.code import version_of
@@ -16,9 +16,6 @@ from skylight_sh.store.dataset import Dataset
 from skylight_sh.store.hdf5 import SCHEMA_VERSION
 from skylight_sh.store.keys import digest
 from skylight_sh.store.store import Store
-
-if TYPE_CHECKING:
-    from skylight_sh.run.executors import Advance
 
 Inputs = Mapping[str, Dataset]
 

@@ -15,9 +15,9 @@ from typing import Any
 
 from skylight_sh.config.schema import Config
 from skylight_sh.run import plan, progress
-from skylight_sh.run.files import from_dataset
+from skylight_sh.run.files import TRANSFER_FILE, from_dataset, transfer_file
 from skylight_sh.run.provenance import environment, settings, versions
-from skylight_sh.run.steps import steps
+from skylight_sh.run.steps import TRANSFER, steps
 from skylight_sh.store import atomic
 from skylight_sh.store.store import Store
 
@@ -38,12 +38,14 @@ def run(config: Config, store: Store, reports: Path, warn: Callable[[str], None]
 
     Raises what a stage raises (NotConvergedError, BudgetError) before anything is published.
     """
-    outcomes, artifacts = plan.execute(
-        steps(config), store, partial(_provenance, config), progress.bar, warn, wanted=("export", "report")
-    )
+    planned = steps(config)
+    published = [step.name for step in planned if step.name in (TRANSFER, "export", "report")]
+    outcomes, artifacts = plan.execute(planned, store, partial(_provenance, config), progress.bar, warn, wanted=published)
     start = time.perf_counter()
     folder = reports / config.name
     files = {path: data for artifact in artifacts.values() for path, data in from_dataset(artifact).items()}
+    if TRANSFER in artifacts:
+        files[TRANSFER_FILE] = transfer_file(artifacts[TRANSFER])
     files[SUMS] = sums(files).encode()
     _publish(folder, files)
     store.keep(config.name, [outcome.key for outcome in outcomes.values()])

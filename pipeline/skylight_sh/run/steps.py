@@ -16,16 +16,20 @@ from typing import Any
 from skylight_sh import __version__
 from skylight_sh.config.schema import Config
 from skylight_sh.config.section import Section
+from skylight_sh.config.wanted import wanted
 from skylight_sh.run.code import Later
+from skylight_sh.run.mesh_source import MADE, MeshSource
 from skylight_sh.run.plan import Step
 from skylight_sh.run.provenance import drawing, settings
 from skylight_sh.scene.surroundings import MOST_BANDS
+from skylight_sh.transfer.options import Options
 
 RULE, GRID, VERIFICATION, RANDOM, HELD_OUT = (
     f"truth/{part}" for part in ("rule", "grid", "verification", "random", "held-out")
 )
 PROBE, VARIABLES, SURROUNDINGS = (f"truth/{part}" for part in ("probe", "variables", "surroundings"))
 ORIGINS = "fit/origins"
+TRANSFER = "transfer"
 LIGHTING = "measure/lighting"
 
 
@@ -34,7 +38,7 @@ def steps(config: Config) -> list[Step]:
 
     What the config's own pictures and lamps may still have wrong with them is told first.
     """
-    stages = (_surroundings, _truth, _variables, _fit, _origins, _select, _measure, _lighting, _export, _report)
+    stages = (_surroundings, _truth, _variables, _fit, _origins, _select, _measure, _lighting, _transfer, _export, _report)
     return [step for stage in stages for step in stage(config)]
 
 
@@ -70,6 +74,34 @@ def surroundings_bands(config: Config) -> list[int]:
     """Return the winners' numbers of bands, and that of a wider sky to hold their products against."""
     asked = {winner.bands for winner in config.winners}
     return sorted(asked | {min(config.truth.bands, MOST_BANDS)} if config.scene.masked else asked)
+
+
+def mesh_source(config: Config) -> MeshSource | None:
+    """Return which mesh the scene has, and how its transfer is computed; None where it has none."""
+    mesh = config.scene.mesh
+    if mesh is None:
+        return None
+    bands = mesh.bands or next((table.bands for table in wanted(config) if table.name == config.export.recommended), 0)
+    options = Options(bands, mesh.rays, mesh.gather_rays, mesh.bounces, mesh.seed)
+    return MeshSource(Path(mesh.file) if mesh.file in MADE else config.file(mesh.file), options, mesh.up, mesh.unshadowed)
+
+
+def transfer_step(source: MeshSource, executor: str = "threads", workers: int = 0) -> Step:
+    """Return the step that computes the transfer of a mesh."""
+    make = Later("skylight_sh.run.stages.transfer:make", (source, executor, workers))
+    return Step(TRANSFER, "", (), source.parameters(), make, in_blocks=True)
+
+
+def _transfer(config: Config) -> Iterator[Step]:
+    """Yield the step, if the scene has a mesh."""
+    source = mesh_source(config)
+    if source is not None:
+        yield transfer_step(source, config.run.executor, config.run.workers)
+
+
+def _around(config: Config) -> dict[str, Any]:
+    """Return what of the scene decides the weights of its light: all but the mesh that the light falls on."""
+    return config.scene.model_dump(mode="json", exclude={"mesh"})
 
 
 def _searched(config: Config) -> tuple[str, ...]:
@@ -124,7 +156,7 @@ def _surroundings(config: Config) -> Iterator[Step]:
     if scene.surrounded:
         pictures = [lamp.image for lamp in scene.lights if lamp.image] + ([scene.clouds.image] if scene.clouds else [])
         parameters = {
-            "scene": scene.model_dump(mode="json"),
+            "scene": _around(config),
             "pictures": [_sum(config.file(image)) for image in pictures],
             "reader": _reader() if pictures else "",
             "bands": surroundings_bands(config),
@@ -139,7 +171,7 @@ def _fit(config: Config) -> Iterator[Step]:
         "axes": _dump(config.axes),
         "fit": config.fit.model_dump(mode="json"),
         "light": _light(config),
-        "scene": config.scene.model_dump(mode="json"),
+        "scene": _around(config),
     }
     yield _step("fit", (GRID, *_searched(config), *_surrounded(config)), parameters, "fit:make", config)
 
@@ -147,8 +179,7 @@ def _fit(config: Config) -> Iterator[Step]:
 def _origins(config: Config) -> Iterator[Step]:
     """Yield the step, if the report shows its picture."""
     if shows_origins(config):
-        scene = config.scene.model_dump(mode="json")
-        parameters = {"light": _light(config), "axes": _dump(config.axes), "scene": scene}
+        parameters = {"light": _light(config), "axes": _dump(config.axes), "scene": _around(config)}
         yield _step(ORIGINS, (GRID, *_searched(config), *selected_on(config)), parameters, "origins:make", config)
 
 
@@ -168,7 +199,7 @@ def _lighting(config: Config) -> Iterator[Step]:
         parameters = {
             "light": _light(config),
             "ranges": [(axis.name, axis.range) for axis in config.axes],
-            "scene": config.scene.model_dump(mode="json"),
+            "scene": _around(config),
             "tolerance": config.truth.tolerance,
         }
         yield _step(LIGHTING, ("select",), parameters, "lighting:make", config)

@@ -1,6 +1,7 @@
 """Blocks of an artifact that is not whole yet: what a run that was stopped had finished, and the next one need not do again.
 
-They lie beside the artifact, in ``<key>.blocks/``, and are gone when it is there. Each is written whole, and checked when read.
+They lie beside the artifact, in ``<key>.blocks/``, and are gone when it is there. Each is written whole, and checked when
+read.
 """
 
 from __future__ import annotations

@@ -26,25 +26,25 @@ def write(path: Path, dataset: Dataset, identity: str = "") -> None:
     ``identity`` says which artifact this is; the checksum covers it, and ``read`` asks for it. Raises ValueError where the
     dataset has an attribute that the file needs itself.
     """
-    taken = [name for name in (*_FILE_ATTRIBUTES, _CHECKSUM) if name in dataset.attrs]
-    if taken:
-        raise ValueError(f"Invalid attribute {taken[0]!r}. Should have another name: the store writes its own.")
-    sealed = Dataset(dataset.variables, {**dataset.attrs, "artifact": identity, "schema_version": SCHEMA_VERSION})
+    sealed = _sealed(dataset, identity)
     path.parent.mkdir(parents=True, exist_ok=True)
     temporary = path.with_name(f".{path.stem}.{uuid.uuid4().hex}.partial")
     try:
         with h5py.File(temporary, "w", libver="v110", track_order=False) as file:
-            for name in sorted(dataset.variables):
-                _write_variable(file, name, dataset.variables[name])
-            _attach_scales(file, dataset)
-            for key in sorted(sealed.attrs):
-                file.attrs[key] = sealed.attrs[key]
-            file.attrs[_CHECKSUM] = checksum(sealed)
+            _fill(file, sealed)
         with open(temporary, "rb+") as written:
             os.fsync(written.fileno())
         os.replace(temporary, path)
     finally:
         temporary.unlink(missing_ok=True)
+
+
+def content(dataset: Dataset, identity: str = "") -> bytes:
+    """Return the bytes of the file that ``write`` would publish."""
+    with h5py.File("memory", "w", driver="core", backing_store=False, libver="v110", track_order=False) as file:
+        _fill(file, _sealed(dataset, identity))
+        file.flush()
+        return bytes(file.id.get_file_image())
 
 
 def read(path: Path, identity: str = "") -> Dataset:
@@ -88,6 +88,22 @@ def attributes(path: Path) -> dict[str, Any]:
             return {key: _plain(value) for key, value in file.attrs.items()}
     except OSError:
         return {}
+
+
+def _sealed(dataset: Dataset, identity: str) -> Dataset:
+    taken = [name for name in (*_FILE_ATTRIBUTES, _CHECKSUM) if name in dataset.attrs]
+    if taken:
+        raise ValueError(f"Invalid attribute {taken[0]!r}. Should have another name: the store writes its own.")
+    return Dataset(dataset.variables, {**dataset.attrs, "artifact": identity, "schema_version": SCHEMA_VERSION})
+
+
+def _fill(file: Any, sealed: Dataset) -> None:
+    for name in sorted(sealed.variables):
+        _write_variable(file, name, sealed.variables[name])
+    _attach_scales(file, sealed)
+    for key in sorted(sealed.attrs):
+        file.attrs[key] = sealed.attrs[key]
+    file.attrs[_CHECKSUM] = checksum(sealed)
 
 
 def _write_variable(file: Any, name: str, variable: Variable) -> None:

@@ -51,12 +51,12 @@ def cells(count: int, each: int, random: np.random.Generator) -> Cells:
     """
     coarse = cosine_fibonacci(count, random.random(), 2.0 * np.pi * random.random())[:, :2]
     fine = cosine_fibonacci(count * each, random.random(), 2.0 * np.pi * random.random())
-    _, cell = cKDTree(coarse).query(fine[:, :2])
+    cell = np.asarray(cKDTree(coarse).query(fine[:, :2])[1])
     # A cell that holds no direction, at the rim, takes the nearest one; the others take any of theirs.
-    _, first = cKDTree(fine[:, :2]).query(coarse)
+    first = np.array(cKDTree(fine[:, :2]).query(coarse)[1])
     order = random.permutation(count * each)
     first[cell[order]] = order
-    return Cells(fine, coarse, np.asarray(cell), np.asarray(first))
+    return Cells(fine, coarse, cell, first)
 
 
 def nearest(of: Cells, among: Cells, count: int) -> Index:

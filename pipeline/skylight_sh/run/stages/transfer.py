@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from functools import partial
 
 import numpy as np
+from numpy.typing import NDArray
 
 from skylight_sh.mesh import Mesh
 from skylight_sh.run.blocks import Arrays, map_in_blocks
@@ -14,8 +15,8 @@ from skylight_sh.run.mesh_source import MeshSource
 from skylight_sh.run.plan import Inputs
 from skylight_sh.store.blocks import Blocks
 from skylight_sh.store.dataset import Dataset, Variable
-from skylight_sh.transfer.precompute import Setup, Transfer, blocks_of, collect, finish, open_transfer, prepare, see
 from skylight_sh.transfer.start_points import told
+from skylight_sh.transfer.whole import Setup, Transfer, blocks_of, collect, finish, open_transfer, prepare, see
 
 _MEANING = "its dot product with the SH weights of the light is irradiance / pi, bounces included, before the albedo"
 _BASIS = "real orthonormal spherical harmonics without the Condon-Shortley sign, index l * (l + 1) + m"
@@ -49,13 +50,18 @@ def in_blocks(setup: Setup, executor: str, workers: int, advance: Advance, block
                 blocks,
                 executor=executor,
                 workers=workers,
-                advance=lambda ready, _, before=turn * len(parts), total=total: advance(before + ready, total),  # type: ignore[misc]
+                advance=partial(_advanced, advance, turn * len(parts), total),
             )
         )
     return finish(setup, done[0], done[1] if setup.options.bounces else [])
 
 
-def _dataset(source: MeshSource, mesh: Mesh, transfer: np.ndarray, found: Transfer | None) -> Dataset:
+def _advanced(advance: Advance, before: int, total: int, ready: int, _: int) -> None:
+    """Tell of ``ready`` blocks of a pass that comes after ``before`` blocks of others."""
+    advance(before + ready, total)
+
+
+def _dataset(source: MeshSource, mesh: Mesh, transfer: NDArray[np.float64], found: Transfer | None) -> Dataset:
     variables = {
         "transfer": Variable(("vertex", "channel", "weight"), transfer.astype(np.float32), {"long_name": _MEANING}),
         "position": Variable(("vertex", "axis"), mesh.positions, {"long_name": _AXES, "units": "the mesh's own"}),

@@ -14,9 +14,10 @@ from scipy import sparse
 from skylight_sh import sphere
 from skylight_sh.mesh import Mesh, Part
 from skylight_sh.transfer.bounces import bounced, gather
+from skylight_sh.transfer.options import Options
 from skylight_sh.transfer.rays import Rays
 from skylight_sh.transfer.sampling import chunks
-from skylight_sh.transfer.shadowed import shadowed, unshadowed
+from skylight_sh.transfer.shadowing import shadowed, unshadowed
 from skylight_sh.transfer.start_points import StartPoints, healing, start_points
 
 Array = NDArray[np.float64]
@@ -26,17 +27,6 @@ Mapper = Callable[[Callable[[slice], Arrays], Sequence[slice]], Sequence[Arrays]
 
 # Vertices whose random numbers are drawn together, and those of a block: what one task computes.
 CHUNK, BLOCK = 256, 1024
-
-
-@dataclass(frozen=True)
-class Options:
-    """How transfer is computed: ``bands`` of the light, ``rays`` and ``gather_rays`` a vertex, and ``bounces``."""
-
-    bands: int = 5
-    rays: int = 1024
-    gather_rays: int = 256
-    bounces: int = 3
-    seed: int = 0
 
 
 @dataclass(frozen=True)

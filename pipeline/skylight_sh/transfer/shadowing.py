@@ -65,7 +65,7 @@ def _visible(rays: Rays, points: Array, turned: Array, halves: list[Cells]) -> l
     seen = []
     for own, other, half, near in zip(blocked, blocked[::-1], halves, halves[::-1], strict=True):
         around = other[:, nearest(half, near, _ABOUT)]
-        crossed = around.any(axis=2) & ~around.all(axis=2)
+        crossed = np.asarray(around.any(axis=2) & ~around.all(axis=2))
         asked = crossed[:, half.cell]
         asked[:, half.first] = False
         whole = own[:, half.cell]
