@@ -88,7 +88,7 @@ def mesh_source(config: Config) -> MeshSource | None:
 
 def transfer_step(source: MeshSource, executor: str = "threads", workers: int = 0) -> Step:
     """Return the step that computes the transfer of a mesh."""
-    make = Later("skylight_sh.run.stages.transfer:make", (source, executor, workers))
+    make = _later("transfer:make", source, executor, workers)
     return Step(TRANSFER, "", (), source.parameters(), make, in_blocks=True)
 
 
@@ -114,7 +114,11 @@ def _surrounded(config: Config) -> tuple[str, ...]:
 
 def _step(name: str, inputs: tuple[str, ...], parameters: Any, make: str, config: Config) -> Step:
     stage, _, part = name.partition("/")
-    return Step(stage, part, inputs, parameters, Later(f"skylight_sh.run.stages.{make}", (config,)))
+    return Step(stage, part, inputs, parameters, _later(make, config))
+
+
+def _later(make: str, *arguments: Any) -> Later:
+    return Later(f"skylight_sh.run.stages.{make}", arguments)
 
 
 def _truth(config: Config) -> Iterator[Step]:
