@@ -28,7 +28,7 @@ READS_FILES = "skylight_sh.probe.files"
 # What numerics stand on (annotated_types holds plain values, the ranges of fields), and what some lights and places ask for
 # where they are used.
 FOR_NUMERICS = sys.stdlib_module_names | {"numpy", "scipy", "annotated_types"}
-LATER = {"astral", "colour", "mitsuba", "embreex", "flip_evaluator", "trimesh"}
+LATER = {"astral", "colour", "mitsuba", "embreex", "flip_evaluator"}
 ROOMS_ABOVE = {"config", "run", "store", "report", "cli", "export", "studies"}
 
 

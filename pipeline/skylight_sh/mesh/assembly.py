@@ -17,6 +17,7 @@ Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 
 GREY = 0.5
+BRIGHT = 0.95
 # Beyond these, products of lengths leave the range of numbers.
 _SMALLEST, _LARGEST = 1e-60, 1e60
 
@@ -98,6 +99,9 @@ def _used(name: str, surface: Surface) -> tuple[Surface, list[Finding]]:
             ),
             (int(outside.sum()), "albedo", "vertex/vertices of albedo outside 0 to 1", "clamped", True),
         ]
+        bright = finite & ~outside & (albedo > BRIGHT).any(axis=-1) & (surface.texture is None)
+        noun = f"vertex/vertices of albedo above {BRIGHT:g}"
+        found.append((int(bright.sum()), "bright albedo", noun, "more than fresh snow has, left so", False))
         albedo = np.where(finite[:, np.newaxis], np.clip(albedo, 0.0, 1.0), GREY)
     if uv is not None:
         wrong: Mask = np.asarray(~np.isfinite(uv).all(axis=-1))

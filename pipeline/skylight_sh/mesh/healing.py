@@ -37,8 +37,8 @@ def heal(mesh: Mesh) -> tuple[Mesh, Findings]:
         without_duplicates,
         orientation.wind_alike,
         orientation.turn_outward,
-        with_normals,
         joined,
+        with_normals,
     )
     for step in steps:
         mesh, told = step(mesh)
@@ -92,13 +92,14 @@ def with_normals(mesh: Mesh) -> tuple[Mesh, Findings]:
     scaled = mesh.normals.copy()
     scaled[~wrong] = normals.unit(scaled[~wrong])
     mesh = replace(mesh, normals=scaled)
-    return (normals.compute(mesh, wrong) if wrong.any() else mesh), findings
+    # Where a surface ends at its own vertex, both sides may have the same normal.
+    return (joined(normals.compute(mesh, wrong))[0] if wrong.any() else mesh), findings
 
 
 def joined(mesh: Mesh) -> tuple[Mesh, Findings]:
-    """Join vertices of a part that are alike in position, normal, albedo and texture coordinates."""
+    """Join vertices of a part that are alike in position, normal (or have none), albedo and texture coordinates."""
     part = vertex_parts(mesh)
-    number, first = group(np.column_stack([part, mesh.positions, mesh.normals, mesh.albedo, mesh.uv]))
+    number, first = group(np.column_stack([part, mesh.positions, np.nan_to_num(mesh.normals), mesh.albedo, mesh.uv]))
     names = [one.name for one in mesh.parts]
     again = np.ones(len(part), bool)
     again[first] = False

@@ -71,13 +71,19 @@ def turn_outward(mesh: Mesh) -> tuple[Mesh, Findings]:
     """Turn closed shells that are inside out, and open ones all of whose normals oppose their triangles.
 
     A closed shell is inside out where it encloses a negative volume and lies in no other shell of its part, or in an even
-    number of them; in an odd number it bounds a cavity, and is right.
+    number of them; in an odd number it bounds a cavity, and is right. A cavity of a solid that is inside out is so as well.
     """
     touching = topology(mesh)
     found = shells(mesh, touching)
-    inverted = found.whole & (found.volume < 0.0)
-    for number in np.flatnonzero(inverted).tolist():
-        inverted[number] = depth(mesh, found, number) % 2 == 0
+    corners = mesh.corners
+    inverted = np.zeros(len(found.whole), bool)
+    for number in np.flatnonzero(found.whole & (found.volume < 0.0)).tolist():
+        inverted[number] = len(enclosing(corners, found, number, found.whole)) % 2 == 0
+    if inverted.any():
+        outer = inverted.copy()
+        for number in np.flatnonzero(found.whole & (found.volume > 0.0)).tolist():
+            if enclosing(corners, found, number, outer):
+                inverted[number] = len(enclosing(corners, found, number, found.whole)) % 2 == 1
     opposed = normals.judge(mesh)[1][mesh.triangles].all(axis=-1)
     inverted |= ~found.whole & (np.bincount(touching.shell, ~opposed) == 0)
     flip = inverted[touching.shell]
@@ -139,14 +145,14 @@ def shells(mesh: Mesh, touching: Topology) -> Shells:
     )
 
 
-def depth(mesh: Mesh, found: Shells, number: int) -> int:
-    """Return how many other closed shells of its part a shell lies in."""
-    around = found.whole & (found.part == found.part[number])
+def enclosing(corners: Array, found: Shells, number: int, among: Mask) -> list[int]:
+    """Return the other shells, ``among`` ``(s,)`` and of its part, that a shell lies in; ``corners`` are ``(t, 3, 3)``."""
+    around = among & (found.part == found.part[number])
     around &= (found.low <= found.low[number]).all(axis=-1) & (found.high >= found.high[number]).all(axis=-1)
     around[number] = False
-    point = mesh.corners[found.triangles(number)[0]].mean(axis=0)
+    point = corners[found.triangles(number)[0]].mean(axis=0)[np.newaxis]
     others = np.flatnonzero(around).tolist()
-    return sum(abs(winding_number(point[np.newaxis], mesh.corners[found.triangles(n)])[0]) > 0.5 for n in others)
+    return [n for n in others if abs(winding_number(point, corners[found.triangles(n)])[0]) > 0.5]
 
 
 def winding_number(points: Array, corners: Array) -> Array:

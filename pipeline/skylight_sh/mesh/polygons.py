@@ -12,6 +12,7 @@ Index = NDArray[np.int64]
 
 # Cutting ears takes the square of the corners.
 MOST_CONCAVE_CORNERS = 500
+_LARGEST = 1e60
 
 
 def triangulate(positions: Array, corners: Index, counts: Index) -> Index:
@@ -60,10 +61,10 @@ def _turns(positions: Array, polygons: Index) -> Array:
 
 
 def _used(positions: Array, polygons: Index) -> Array:
-    # An index out of range and a number that is none are told later, by part; here they must not stop the reading.
+    # Indices out of range, what is no number and what is too large are told later, by part; here they must not stop reading.
     if not len(positions):
         return np.zeros((*polygons.shape, 3))
-    return np.nan_to_num(positions[np.clip(polygons, 0, len(positions) - 1)], posinf=0.0, neginf=0.0)
+    return np.clip(np.nan_to_num(positions[np.clip(polygons, 0, len(positions) - 1)]), -_LARGEST, _LARGEST)
 
 
 def _reflex_first(positions: Array, quads: Index) -> Index:

@@ -80,10 +80,10 @@ def read(path: Path) -> Content:
             name = name_of(node, name_of(document.one("meshes", index), f"mesh {index}"))
             if "skin" in node:
                 scene.tell(name, "skin", 1, "its skin is not applied, it stands in its bind pose. Export it posed.")
-            for transform in _instances(document, node, world):
-                total += sum(len(shape.positions) for shape in shapes)
-                check_count(total, "vertices")
-                surfaces += [replace(_placed(s, transform), name=_joined(name, s.name)) for s in shapes]
+            transforms = _instances(document, node, world)
+            total += len(transforms) * sum(len(shape.positions) for shape in shapes)
+            check_count(total, "vertices")
+            surfaces += [replace(_placed(s, one), name=_joined(name, s.name)) for one in transforms for s in shapes]
     return Content(tuple(surfaces), (*scene.findings, *scene.shelf.findings))
 
 

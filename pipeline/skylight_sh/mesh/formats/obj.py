@@ -163,9 +163,9 @@ def _surface(name: str, lines: _Lines, faces: _Faces, material: mtl.Material, sh
     """Gather what one part's corners name."""
     try:
         parsed = [[int(number) if number else 0 for number in word.split("/")] + [0, 0] for word in faces.words]
-    except ValueError as error:
+        chosen = np.array([numbers[:3] for numbers in parsed], np.int64).reshape(-1, 3) - 1
+    except (ValueError, OverflowError) as error:
         raise UserError(f"part {name!r}: a face has a corner that is no index ({error}). Export it anew.") from error
-    chosen = np.array([numbers[:3] for numbers in parsed], np.int64).reshape(-1, 3) - 1
     place, uv, normal = (
         _listed(name, numbers, width, index, noun)
         for numbers, width, index, noun in (
