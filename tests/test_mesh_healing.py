@@ -179,7 +179,7 @@ def test_files_that_cannot_be_read(tmp_path: Path) -> None:
     ):
         with pytest.raises(UserError, match=told):
             mesh.read(tmp_path / name)
-    with pytest.raises(UserError, match="Invalid up axis 'x'. Should be y or z"):
+    with pytest.raises(UserError, match=r"Invalid up axis 'x'. Should be y or z"):
         read(tmp_path / "cube.obj", obj(CUBE, QUADS), "x")
 
 
