@@ -1,4 +1,4 @@
-"""Pieces of meshes made by formulas: sheets, solids of revolution, tubes, boxes and blades.
+"""Pieces of meshes made by formulas: sheets, strips, solids of revolution, prisms, tubes, boxes and blades.
 
 All are right-handed and face outwards; lengths are metres. A piece has a normal for each of its vertices; where a surface
 has a crease, the vertices are there once for each side.
@@ -37,6 +37,20 @@ class Piece:
         matrix = np.array([[cos, -sin, 0.0], [sin, cos, 0.0], [0.0, 0.0, 1.0]])
         return replace(self, positions=self.positions @ matrix.T + np.asarray(offset), normals=self.normals @ matrix.T)
 
+    def flipped(self) -> Piece:
+        """Return the piece facing the other way."""
+        return replace(self, normals=-self.normals, triangles=self.triangles[:, ::-1])
+
+    def towards(self, direction: ArrayLike) -> Piece:
+        """Return the piece turned inside out where it faces away from ``direction`` in the mean."""
+        a, b, c = self.positions[self.triangles].transpose(1, 0, 2)
+        return self if np.cross(b - a, c - a).sum(axis=0) @ np.asarray(direction) > 0.0 else self.flipped()
+
+    def mapped(self, along: ArrayLike, up: ArrayLike, side: float) -> Piece:
+        """Return the piece with a texture laid on flat: u runs with ``along``, v with ``up``, once in ``side`` metres."""
+        axes = np.stack([np.asarray(along, dtype=float), np.asarray(up, dtype=float)], axis=-1)
+        return replace(self, uv=self.positions @ axes / side)
+
 
 def joined(pieces: Sequence[Piece]) -> Piece:
     """Return pieces as one."""
@@ -52,10 +66,12 @@ def joined(pieces: Sequence[Piece]) -> Piece:
 def assembled(named: Sequence[tuple[Part, ArrayLike, Piece]]) -> Mesh:
     """Return a mesh of parts, each with its albedo ``(3,)`` or ``(v, 3)`` and its piece."""
     whole = joined([piece for _, _, piece in named])
+    # Far above the last bits in which machines differ.
+    positions = np.round(whole.positions, 7)
     albedo = [np.broadcast_to(np.asarray(colour, dtype=float), piece.positions.shape) for _, colour, piece in named]
     part = [np.full(len(piece.triangles), i) for i, (_, _, piece) in enumerate(named)]
     return Mesh(
-        whole.positions,
+        positions,
         whole.normals,
         np.concatenate(albedo),
         whole.triangles,
@@ -80,9 +96,54 @@ def sheet(points: Array, *, around: bool = False, along: bool = False, uv: Array
     a, b, c, d = (part.ravel() for part in (index[:-1, :-1], index[:-1, 1:], index[1:, 1:], index[1:, :-1]))
     triangles = np.concatenate([np.stack([a, b, c], axis=1), np.stack([a, c, d], axis=1)])
     positions = points.reshape(-1, 3)
-    triangles = triangles[_area(positions, triangles) > 1e-12]
-    coordinates = np.zeros((len(positions), 2)) if uv is None else uv.reshape(-1, 2)
-    return Piece(positions, smooth_normals(positions, triangles), coordinates, triangles)
+    if uv is not None:
+        triangles = triangles[_area(positions, triangles) > 1e-12]
+        return Piece(positions, smooth_normals(positions, triangles), uv.reshape(-1, 2), triangles)
+    return _surface(positions, triangles)
+
+
+def strip(one: Array, other: Array, places: tuple[Array, Array] | None = None) -> Piece:
+    """Return the smooth strip between two lines ``(n, 3)`` and ``(m, 3)``, which may have any numbers of points.
+
+    It faces the cross product of the lines' direction and the way from ``one`` to ``other``. ``places``, rising numbers for
+    either line, say which points lie beside which; without, the shares of the lines' lengths do.
+    """
+    places = places or (_shares(one), _shares(other))
+    i, j, triangles = 0, 0, []
+    while i < len(one) - 1 or j < len(other) - 1:
+        ahead = i < len(one) - 1 and (j == len(other) - 1 or places[0][i + 1] <= places[1][j + 1] + 1e-9)
+        triangles.append([i, i + 1 if ahead else len(one) + j + 1, len(one) + j])
+        i, j = (i + 1, j) if ahead else (i, j + 1)
+    return _surface(np.concatenate([one, other]), np.array(triangles))
+
+
+def disc(rim: Array) -> Piece:
+    """Return the flat face within a closed ``rim`` ``(n, 3)`` that its mean sees all of, anticlockwise to who sees it."""
+    count = len(rim)
+    first = np.arange(count)
+    triangles = np.stack([first, (first + 1) % count, np.full(count, count)], axis=1)
+    return _surface(np.concatenate([rim, rim.mean(axis=0, keepdims=True)]), triangles)
+
+
+def prism(section: ArrayLike, places: ArrayLike, along: str = "x") -> Piece:
+    """Return the solid that a closed ``section`` ``(k, 2)`` makes along ``x`` or ``y``, with a ring at each of ``places``.
+
+    The section's points are the other horizontal coordinate and the height, anticlockwise in that plane; it starts at a
+    crease, and its mean sees all of it. Where it bends by more than 40 degrees there is a crease.
+    """
+    line = np.asarray(section, dtype=float)
+    at = np.asarray(places, dtype=float)
+
+    def placed(part: Array) -> Array:
+        points = np.empty((len(at), len(part), 3))
+        points[..., 0 if along == "x" else 1] = at[:, np.newaxis]
+        points[..., 1 if along == "x" else 0], points[..., 2] = part[:, 0], part[:, 1]
+        return points
+
+    sides = [sheet(placed(part)) for part in _smooth_parts(np.concatenate([line, line[:1]]))]
+    rim = placed(line)
+    solid = joined([*sides, disc(rim[0][::-1]), disc(rim[-1])])
+    return solid if along == "x" else solid.flipped()
 
 
 def smooth_normals(positions: Array, triangles: Index) -> Array:
@@ -199,7 +260,25 @@ def blade(length: float, width: float, thickness: float, lift: float, droop: flo
     top, bottom = centre + thick[:, np.newaxis] * up, centre - thick[:, np.newaxis] * up
     upper = sheet(np.stack([right, top, left], axis=1).transpose(1, 0, 2))
     lower = sheet(np.stack([left, bottom, right], axis=1).transpose(1, 0, 2))
-    return joined([upper, lower])
+    root = disc(np.stack([right[0], bottom[0], left[0], top[0]])).towards((-1.0, 0.0, 0.0))
+    return joined([upper, lower, root])
+
+
+def _surface(points: Array, triangles: Index) -> Piece:
+    """Return a smooth surface, its vertices at one place joined, as those of a pole are, its flat triangles left out."""
+    _, first, place = np.unique(np.round(points, 9), axis=0, return_index=True, return_inverse=True)
+    joint = first[place.ravel()][triangles]
+    joint = joint[(joint[:, 0] != joint[:, 1]) & (joint[:, 1] != joint[:, 2]) & (joint[:, 2] != joint[:, 0])]
+    joint = joint[_area(points, joint) > 1e-12]
+    used, renumbered = np.unique(joint, return_inverse=True)
+    positions, kept = points[used], renumbered.reshape(-1, 3)
+    return Piece(positions, smooth_normals(positions, kept), np.zeros((len(positions), 2)), kept)
+
+
+def _shares(line: Array) -> Array:
+    """Return how far along a line its points are, from 0 to 1."""
+    length = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(line, axis=0), axis=1))])
+    return np.asarray(length / length[-1])
 
 
 def _smooth_parts(line: Array) -> list[Array]:

@@ -1,170 +1,108 @@
-"""An arcade: arches on columns before a covered walk, with a beamed ceiling and a tiled roof."""
+"""What belongs to the arcade's vaulted body: columns and piers, cornice, tiled roof, door."""
 
 from __future__ import annotations
-
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from skylight_sh.mesh.shapes import Piece, box, joined, lathe, sheet
+from skylight_sh.mesh.courtyard._vault import HALF_PIER, SPRING, THICK, TOP, WALL, Arcade
+from skylight_sh.mesh.shapes import Piece, box, joined, lathe, prism, sheet, strip
 
 Array = NDArray[np.float64]
 
-_GAP = 0.002
-_SPRING, _TOP, _THICK = 2.45, 4.3, 0.46
-_HALF_PIER = 0.27
-# Radius and height of a column between its square plinth and abacus, which end at 0.14 and 2.33.
+_GAP = 0.003
+# Radius and height of a column between its square plinth and abacus: an Attic base, a shaft with entasis, a Tuscan capital.
 _COLUMN = (
-    *((0.265, 0.142), (0.285, 0.165), (0.285, 0.19), (0.262, 0.215), (0.23, 0.222), (0.228, 0.25)),
-    *((0.248, 0.268), (0.248, 0.29), (0.21, 0.312), (0.2, 0.36)),
-    *((0.199, 0.65), (0.196, 1.05), (0.189, 1.45), (0.179, 1.8), (0.17, 2.04)),
-    *((0.192, 2.055), (0.192, 2.078), (0.17, 2.09)),
-    *((0.174, 2.17), (0.2, 2.23), (0.25, 2.28), (0.27, 2.328)),
+    *((0.0, 0.142), (0.262, 0.142), (0.281, 0.16), (0.281, 0.188), (0.262, 0.206), (0.232, 0.212), (0.226, 0.235)),
+    *((0.243, 0.25), (0.247, 0.268), (0.238, 0.286), (0.21, 0.296), (0.202, 0.34)),
+    *((0.201, 0.7), (0.197, 1.15), (0.189, 1.6), (0.178, 1.95), (0.172, 2.08)),
+    *((0.19, 2.09), (0.196, 2.108), (0.188, 2.126), (0.171, 2.134)),
+    *((0.173, 2.2), (0.19, 2.232), (0.225, 2.27), (0.25, 2.31), (0.256, 2.35), (0.0, 2.35)),
+)
+# y and z of the cornice before the wall's front: a fillet, a hollow and a crown, anticlockwise seen from the east.
+_CORNICE = (
+    *((0.3, 0.0), (0.3, 0.26), (-0.27, 0.26), (-0.27, 0.215), (-0.25, 0.195), (-0.205, 0.175), (-0.165, 0.15)),
+    *((-0.145, 0.118), (-0.14, 0.1), (-0.105, 0.092), (-0.08, 0.06), (-0.03, 0.0)),
 )
 
 
-@dataclass(frozen=True)
-class Arcade:
-    """Bays of one ``width`` from ``west`` on, the arches' front at y = ``front``, the walk behind them ``depth`` deep.
-
-    It stands on a terrace of height ``floor``.
-    """
-
-    west: float
-    bays: int
-    width: float
-    front: float
-    depth: float
-    floor: float
-
-    @property
-    def east(self) -> float:
-        """Where the last bay ends."""
-        return self.west + self.bays * self.width
-
-    @property
-    def columns(self) -> Array:
-        """Where columns stand, ``(bays + 1, 2)``."""
-        x = self.west + self.width * np.arange(self.bays + 1)
-        return np.stack([x, np.full(x.shape, self.front + 0.5 * _THICK)], axis=-1)
-
-    @property
-    def back(self) -> float:
-        """The y of the walk's back wall."""
-        return self.front + _THICK + self.depth
-
-
-def column(around: int = 18) -> Piece:
+def column(detail: float) -> Piece:
     """Return a column with a square plinth and abacus, its foot at the origin."""
-    plinth = box((-0.3, -0.3, _GAP), (0.3, 0.3, 0.14), 0.6)
-    abacus = box((-0.3, -0.3, 2.33), (0.3, 0.3, _SPRING - _GAP), 0.3)
-    return joined([plinth, lathe(_COLUMN, around), abacus])
+    plinth = box((-0.29, -0.29, _GAP), (0.29, 0.29, 0.14), 0.6 / detail)
+    abacus = box((-0.285, -0.285, 2.352), (0.285, 0.285, SPRING - _GAP), 0.6 / detail)
+    return joined([plinth, lathe(_COLUMN, max(8, round(16 * detail))), abacus])
 
 
-def arches(plan: Arcade) -> Piece:
-    """Return the wall above the columns with its arches, a closed solid but for its top, which the cornice covers."""
-    pieces = []
-    front, back = plan.front, plan.front + _THICK
-    for bay in range(plan.bays):
-        left = plan.west + bay * plan.width
-        pieces += _bay(left, left + plan.width, front, back)
-    for bay in range(plan.bays + 1):
-        x = plan.west + bay * plan.width
-        first, last = bay == 0, bay == plan.bays
-        low, high = x - (_HALF_PIER if not first else 0.0), x + (_HALF_PIER if not last else 0.0)
-        pieces.append(_quad((low, back, _SPRING), (high, back, _SPRING), (high, front, _SPRING), (low, front, _SPRING)))
-    for x, sign in ((plan.west, -1.0), (plan.east, 1.0)):
-        ends = [(x, front, _SPRING), (x, back, _SPRING), (x, back, _TOP), (x, front, _TOP)]
-        pieces.append(_quad(*(ends if sign > 0.0 else ends[::-1])))
+def pier(low: float, high: float, plan: Arcade, detail: float) -> Piece:
+    """Return a square pier between x = ``low`` and ``high``, with a foot and an impost, as tall as the columns."""
+    half = 0.5 * THICK
+    heights = ((_GAP, 0.2, 0.03), (0.2 + _GAP, 2.35 - _GAP, 0.0), (2.35, SPRING - _GAP, 0.035))
+    middle = plan.front + half
+    return joined(
+        [
+            box((low + _GAP, middle - half - out, z0), (high + out, middle + half + out, z1), 0.5 / detail)
+            for z0, z1, out in heights
+        ]
+    ).moved((0.0, 0.0, plan.floor))
+
+
+def columns(plan: Arcade) -> Array:
+    """Return where columns stand, ``(bays - 1, 2)``."""
+    x = plan.borders[1:-1]
+    return np.stack([x, np.full(x.shape, plan.front + 0.5 * THICK)], axis=-1)
+
+
+def cornice(plan: Arcade, detail: float) -> Piece:
+    """Return the moulding above the arches."""
+    places = np.linspace(plan.west - WALL, plan.east + 0.06, max(4, round(14 * detail)))
+    return prism(np.array(_CORNICE), places).moved((0.0, plan.front, plan.floor + TOP + _GAP))
+
+
+def roof(plan: Arcade, detail: float) -> Piece:
+    """Return a roof of pantiles that rises to the north, a closed solid."""
+    low, high = plan.west - WALL - 0.05, plan.east + 0.2
+    count = round((high - low) / 0.32)
+    fine = max(4, round(5 * detail))
+    phase = np.arange(count * fine + 1) / fine
+    x = low + (high - low) / count * phase
+    # Rolls that are wider than the troughs between them.
+    bulge = 0.085 * np.abs(np.cos(np.pi * phase)) ** 1.4
+    slope = np.array([0.0, 0.12, 1.0])
+    y = plan.front - 0.4 + (plan.depth + THICK + WALL + 0.6) * slope
+    height = TOP + 0.285 + 1.25 * slope
+    edge = x[::fine]
+
+    def line(across: Array, k: int, above: Array | float) -> Array:
+        return np.stack(np.broadcast_arrays(across, y[k], height[k] + above), axis=-1)
+
+    # At the ridge, which nobody sees, tiles are flat.
+    top, ridge = np.stack([line(x, k, 0.035 + bulge) for k in range(2)]), line(edge, 2, 0.035)
+    eaves, beneath = line(x, 0, 0.0), np.stack([line(edge, k, 0.0) for k in range(1, len(y))])
+    sides = [np.stack([[*top[:, i], ridge[i]], [eaves[i], *beneath[:, i]]]) for i in (0, -1)]
+    pieces = [
+        sheet(top).towards((0.0, 0.0, 1.0)),
+        sheet(np.stack([top[0], eaves])).towards((0.0, -1.0, 0.0)),
+        strip(eaves, beneath[0], (x, edge)).towards((0.0, 0.0, -1.0)),
+        sheet(beneath).towards((0.0, 0.0, -1.0)),
+        strip(top[-1], ridge, (x, edge)).towards((0.0, 0.0, 1.0)),
+        sheet(np.stack([ridge, beneath[-1]])).towards((0.0, 1.0, 0.0)),
+        sheet(sides[0]).towards((-1.0, 0.0, 0.0)),
+        sheet(sides[1]).towards((1.0, 0.0, 0.0)),
+    ]
     return joined(pieces).moved((0.0, 0.0, plan.floor))
 
 
-def cornice(plan: Arcade) -> Piece:
-    """Return the moulding above the arches, in two steps."""
-    low = box((plan.west - 0.4, plan.front - 0.07, _TOP + _GAP), (plan.east + 0.07, plan.front + _THICK, _TOP + 0.1), 0.85)
-    high = box(
-        (plan.west - 0.4, plan.front - 0.17, _TOP + 0.1 + _GAP), (plan.east + 0.17, plan.front + _THICK, _TOP + 0.2), 0.85
-    )
-    return joined([low, high]).moved((0.0, 0.0, plan.floor))
-
-
-def roof(plan: Arcade, tile: float = 0.24) -> Piece:
-    """Return the roof: half-round tiles that rise to the north, on boards."""
-    count = round((plan.east + 0.75 - plan.west) / tile)
-    phase = np.arange(count * 5 + 1) / 5.0
-    x = plan.west - 0.45 + tile * phase
-    bulge = 0.075 * np.sqrt(np.maximum(np.sin(np.pi * (phase % 1.0)), 0.0))
-    slope = np.linspace(0.0, 1.0, 2)
-    y = plan.front - 0.42 + (plan.depth + _THICK + 1.0) * slope
-    low = _TOP + 0.26 + 0.95 * slope
-    top = np.stack(np.broadcast_arrays(x, y[:, np.newaxis], low[:, np.newaxis] + bulge), axis=-1)
-    bottom = np.stack(np.broadcast_arrays(x, y[:, np.newaxis], low[:, np.newaxis] - 0.03), axis=-1)
-    edge = sheet(np.stack([bottom[0], top[0]]))
-    coarse = bottom[:, :: len(phase) - 1][:, ::-1]
-    ends = [sheet(np.stack([bottom[:, 0], top[:, 0]])[::-1]), sheet(np.stack([bottom[:, -1], top[:, -1]]))]
-    far = sheet(np.stack([bottom[-1], top[-1]])[::-1])
-    boards = sheet(np.linspace(coarse[:, 0], coarse[:, 1], 20, axis=1))
-    return joined([sheet(top), boards, edge, far, *ends]).moved((0.0, 0.0, plan.floor))
-
-
-def walls(plan: Arcade) -> Piece:
-    """Return the back wall of the walk, and the wall at its western end."""
-    high = _TOP - 0.1
-    back = box(
-        (plan.west - 0.4, plan.back, _GAP), (plan.east + 0.1, plan.back + 0.4, high), 0.45, finer=0.07, without="+y-z+z"
-    )
-    outside = box((plan.west - 0.4, plan.back, _GAP), (plan.east + 0.1, plan.back + 0.4, high), 3.0, without="-y-x+x-z")
-    west = box(
-        (plan.west - 0.8, plan.front - 0.02, _GAP), (plan.west - 0.4 - _GAP, plan.back + 0.4, high), 0.4, without="-z"
-    )
-    return joined([back, outside, west]).moved((0.0, 0.0, plan.floor))
-
-
-def ceiling(plan: Arcade) -> tuple[Piece, Piece]:
-    """Return the ceiling's boards, and its beams."""
-    south, north, low = plan.front + _THICK + _GAP, plan.back - _GAP, _TOP - 0.3
-    boards = box((plan.west - 0.39, south, low), (plan.east + 0.1, north, low + 0.05), 0.6, without="+z")
-    x = np.arange(plan.west + 0.2, plan.east, 0.85)
-    beams = [box((at - 0.06, south, low - 0.2), (at + 0.06, north, low - _GAP), 0.9) for at in x]
-    return boards.moved((0.0, 0.0, plan.floor)), joined(beams).moved((0.0, 0.0, plan.floor))
-
-
-def door(plan: Arcade, bay: int) -> tuple[Piece, Piece]:
-    """Return a door in the middle of a bay's back wall: its frame, and its leaves of four boards each."""
+def door(plan: Arcade, bay: int, detail: float) -> tuple[Piece, Piece]:
+    """Return a door in the middle of a bay's back wall: its frame, and its leaves."""
     x, y = plan.west + (bay + 0.5) * plan.width, plan.back
-    sides = [
-        box((x - 0.72, y - 0.07, _GAP), (x - 0.58, y - _GAP, 2.25), 0.5),
-        box((x + 0.58, y - 0.07, _GAP), (x + 0.72, y - _GAP, 2.25), 0.5),
-        box((x - 0.78, y - 0.09, 2.25 + _GAP), (x + 0.78, y - _GAP, 2.42), 0.4),
+    frame = [
+        box((x - 0.7, y - 0.09, _GAP), (x - 0.55, y - _GAP, 2.2), 0.6 / detail),
+        box((x + 0.55, y - 0.09, _GAP), (x + 0.7, y - _GAP, 2.2), 0.6 / detail),
+        box((x - 0.74, y - 0.12, 2.2 + _GAP), (x + 0.74, y - _GAP, 2.4), 0.6 / detail),
     ]
-    boards = [
-        box((x + at + 0.004, y - 0.035, 0.02), (x + at + 0.141, y - _GAP, 2.24), 0.9) for at in np.arange(-0.58, 0.57, 0.145)
-    ]
-    return joined(sides).moved((0.0, 0.0, plan.floor)), joined(boards).moved((0.0, 0.0, plan.floor))
+    leaves = box((x - 0.548, y - 0.03, 0.02), (x + 0.548, y - _GAP, 2.198), 0.4 / detail)
+    leaves = leaves.moved((-x, 0.0, 0.0)).mapped((1.0, 0.0, 0.0), (0.0, 0.0, 1.0), 1.1).moved((x, 0.0, 0.0))
+    return joined(frame).moved((0.0, 0.0, plan.floor)), leaves.moved((0.0, 0.0, plan.floor))
 
 
-def _bay(left: float, right: float, front: float, back: float) -> list[Piece]:
-    """Return the two faces and the underside of one arch."""
-    middle, radius = 0.5 * (left + right), 0.5 * (right - left) - _HALF_PIER
-    angle = np.linspace(np.pi, 0.0, 25)
-    inner = np.stack([middle + radius * np.cos(angle), _SPRING + radius * np.sin(angle)], axis=-1)
-    # Where rays from the arch's centre meet the bay's outline.
-    half, high = 0.5 * (right - left), _TOP - _SPRING
-    cos, sin = np.cos(angle), np.maximum(np.sin(angle), 1e-12)
-    reach = np.minimum(half / np.maximum(np.abs(cos), 1e-12), high / sin)
-    outer = np.stack([middle + reach * cos, _SPRING + reach * np.where(sin > 1e-9, sin, 0.0)], axis=-1)
-    corner = np.arctan2(high, half)
-    for exact in (corner, np.pi - corner):
-        at = int(np.argmin(np.abs(angle - exact)))
-        outer[at] = [middle + half * np.sign(np.cos(exact)), _TOP]
-    share = np.array([0.0, 0.12, 0.45, 1.0])[:, np.newaxis, np.newaxis]
-    face = inner + share * (outer - inner)
-    across = np.linspace(front, back, 4)
-    one, other = (np.stack([face[..., 0], np.full(face.shape[:2], y), face[..., 1]], axis=-1) for y in (front, back))
-    under = np.stack(np.broadcast_arrays(inner[:, 0], across[:, np.newaxis], inner[:, 1]), axis=-1)
-    return [sheet(one), sheet(other[::-1]), sheet(under[::-1])]
-
-
-def _quad(a: tuple[float, ...], b: tuple[float, ...], c: tuple[float, ...], d: tuple[float, ...]) -> Piece:
-    return sheet(np.array([[a, b], [d, c]]))
+__all__ = ["HALF_PIER", "column", "columns", "cornice", "door", "pier", "roof"]

@@ -1,4 +1,4 @@
-"""What one walks on: paving with a tint for each slab, and vertices where things stand on it."""
+"""What one walks on: level floors with more vertices where things stand on them, and the ground out to the horizon."""
 
 from __future__ import annotations
 
@@ -9,14 +9,13 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import Delaunay
 
+from skylight_sh.mesh.courtyard._textures import PAVING_SIDE
 from skylight_sh.mesh.shapes import Piece
 
 Array = NDArray[np.float64]
+# West, south, east, north.
+Area = tuple[float, float, float, float]
 
-# Metres that one copy of the texture covers, and its pixels.
-TEXTURE_SIDE = 8.0
-_PIXELS = 1024
-_ROW, _JOINT = 0.5, 0.011
 # Rings of vertices about what stands on a floor, metres from its foot.
 _RINGS = (0.01, 0.05, 0.12, 0.25, 0.45)
 
@@ -61,67 +60,53 @@ def box_foot(west: float, south: float, east: float, north: float) -> Foot:
     return Foot(np.array([[west, south], [east, south], [east, north], [west, north]]))
 
 
-def floor(area: tuple[float, float, float, float], height: float, spacing: float, feet: Sequence[Foot]) -> Piece:
-    """Return a level floor over ``(west, south, east, north)`` with vertices about ``feet`` and none beneath them."""
-    west, south, east, north = area
+def floor(
+    area: Area, height: float, spacing: float, feet: Sequence[Foot], *, dense: Area | None = None, step: float = 0.45
+) -> Piece:
+    """Return a level floor over ``(west, south, east, north)`` with vertices about ``feet`` and none beneath them.
+
+    Outside ``dense``, if given, vertices of the lattice are twice as far apart. ``step`` is by how many metres a ring's
+    vertices are further apart for each metre that it is from its foot.
+    """
     inner = _lattice(area, spacing)
+    if dense is not None:
+        coarse = _lattice(area, 2.0 * spacing)
+        inner = np.concatenate([inner[_within(inner, dense)], coarse[~_within(coarse, dense)]])
     rings = []
     for i, distance in enumerate(_RINGS):
-        step = min(spacing, 0.14 + 0.45 * distance)
+        apart = min(spacing, 0.3 * spacing + step * distance)
         # One ring gives way to another foot's nearer ones.
         for number, foot in enumerate(feet):
-            points = foot.beyond(distance, step)
+            points = foot.beyond(distance, apart)
             others = [other.distance(points) for k, other in enumerate(feet) if k != number]
             free = np.min(others, axis=0) > _RINGS[min(i, 1)] * 0.9 if others else np.ones(len(points), dtype=bool)
             rings.append(points[free])
     near = np.concatenate(rings) if rings else np.zeros((0, 2))
-    inside = (near[:, 0] > west) & (near[:, 0] < east) & (near[:, 1] > south) & (near[:, 1] < north)
-    near = near[inside]
+    near = near[_within(near, area)]
     if feet:
         gap = np.min([foot.distance(inner) for foot in feet], axis=0)
         inner = inner[gap > _RINGS[-1] + 0.4 * spacing]
     points = _thinned(np.concatenate([_border(area, spacing), near, inner]), 0.035)
-    triangles = Delaunay(points).simplices.astype(np.int64)
+    # No four points lie on a circle, so that no rounding decides on triangles.
+    moved = points + np.random.default_rng(1).uniform(-2e-3, 2e-3, points.shape)
+    triangles = Delaunay(moved).simplices.astype(np.int64)
     a, b, c = points[triangles].transpose(1, 0, 2)
     turn = (b[:, 0] - a[:, 0]) * (c[:, 1] - a[:, 1]) - (b[:, 1] - a[:, 1]) * (c[:, 0] - a[:, 0])
     triangles = np.where(turn[:, np.newaxis] > 0.0, triangles, triangles[:, ::-1])[np.abs(turn) > 1e-9]
+    triangles = triangles[np.lexsort(np.sort(triangles, axis=1).T[::-1])]
     positions = np.concatenate([points, np.full((len(points), 1), height)], axis=1)
-    return Piece(positions, np.tile([0.0, 0.0, 1.0], (len(points), 1)), points / TEXTURE_SIDE, triangles)
+    return Piece(positions, np.tile([0.0, 0.0, 1.0], (len(points), 1)), points / PAVING_SIDE, triangles)
 
 
-def slabs(seed: int = 5) -> Array:
-    """Return the paving's texture ``(rows, columns, 3)``: slabs in rows, each with a tint of its own, and darker joints.
-
-    It repeats every ``TEXTURE_SIDE`` metres either way.
-    """
-    random = np.random.default_rng(seed)
-    place = (np.arange(_PIXELS) + 0.5) * TEXTURE_SIDE / _PIXELS
-    picture = np.empty((_PIXELS, _PIXELS, 3))
-    for row in range(round(TEXTURE_SIDE / _ROW)):
-        cuts = np.cumsum(random.uniform(0.45, 0.95, 14))
-        cuts = cuts[cuts < TEXTURE_SIDE - 0.4] + random.uniform(0.0, 0.4)
-        slab = np.searchsorted(cuts, place) % len(cuts)
-        tint = 0.47 * random.uniform(0.78, 1.1, (len(cuts), 1)) * (1.0 + random.uniform(-0.05, 0.05, (len(cuts), 3)))
-        tint *= np.array([1.03, 0.99, 0.92])
-        across = np.abs((place[:, np.newaxis] - cuts + 0.5 * TEXTURE_SIDE) % TEXTURE_SIDE - 0.5 * TEXTURE_SIDE).min(axis=1)
-        here = (place >= row * _ROW) & (place < (row + 1) * _ROW)
-        along = np.minimum(place[here] - row * _ROW, (row + 1) * _ROW - place[here])
-        joint = np.clip(np.minimum(along[:, np.newaxis], across) / _JOINT, 0.0, 1.0)[..., np.newaxis]
-        grain = 1.0 + 0.05 * (random.random((int(here.sum()), _PIXELS, 1)) - 0.5)
-        picture[here] = tint[slab] * grain * (0.55 + 0.45 * joint)
-    # The first row of a texture is its upper edge.
-    return picture[::-1]
-
-
-def earth(far: float, hole: tuple[float, float, float, float]) -> Piece:
-    """Return the ground about a court, out to ``far`` metres: rings of ever larger quads."""
+def earth(far: float, hole: Area) -> Piece:
+    """Return the ground about a court, out to ``far`` metres, a little below it: rings of ever larger quads."""
     west, south, east, north = hole
     corners = np.array([[west, south], [east, south], [east, north], [west, north]])
-    sides = np.concatenate([np.linspace(a, b, 7)[:-1] for a, b in zip(corners, np.roll(corners, -1, axis=0), strict=True)])
+    sides = np.concatenate([np.linspace(a, b, 6)[:-1] for a, b in zip(corners, np.roll(corners, -1, axis=0), strict=True)])
     middle = corners.mean(axis=0)
-    scale = np.geomspace(1.0, far / 8.0, 9)
+    scale = np.geomspace(1.0, far / np.abs(sides - middle).max(), 9)
     points = middle + (sides - middle) * scale[:, np.newaxis, np.newaxis]
-    positions = np.concatenate([points, np.zeros((*points.shape[:2], 1))], axis=-1)
+    positions = np.concatenate([points, np.full((*points.shape[:2], 1), -0.03)], axis=-1)
     index = np.arange(positions.shape[0] * positions.shape[1]).reshape(positions.shape[:2])
     index = np.concatenate([index, index[:, :1]], axis=1)
     a, b, c, d = (part.ravel() for part in (index[:-1, :-1], index[:-1, 1:], index[1:, 1:], index[1:, :-1]))
@@ -130,7 +115,7 @@ def earth(far: float, hole: tuple[float, float, float, float]) -> Piece:
     return Piece(flat, np.tile([0.0, 0.0, 1.0], (len(flat), 1)), np.zeros((len(flat), 2)), triangles)
 
 
-def _lattice(area: tuple[float, float, float, float], spacing: float) -> Array:
+def _lattice(area: Area, spacing: float) -> Array:
     """Every other row is moved by half a step: no four points lie on a circle, so that their triangles are given."""
     west, south, east, north = area
     rows = np.arange(south + spacing * 0.8, north - spacing * 0.5, spacing * 0.9)
@@ -141,7 +126,12 @@ def _lattice(area: tuple[float, float, float, float], spacing: float) -> Array:
     return np.concatenate(found)
 
 
-def _border(area: tuple[float, float, float, float], spacing: float) -> Array:
+def _within(points: Array, area: Area) -> NDArray[np.bool_]:
+    west, south, east, north = area
+    return (points[:, 0] > west) & (points[:, 0] < east) & (points[:, 1] > south) & (points[:, 1] < north)
+
+
+def _border(area: Area, spacing: float) -> Array:
     west, south, east, north = area
     x = np.linspace(west, east, max(2, round((east - west) / spacing) + 1))
     y = np.linspace(south, north, max(2, round((north - south) / spacing) + 1))[1:-1]

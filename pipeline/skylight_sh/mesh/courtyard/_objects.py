@@ -1,4 +1,4 @@
-"""What stands in the courtyard: a sculpture on steps, a bench, jars, plants, and cypresses beside the court."""
+"""What stands in the courtyard: a sculpture on steps, a bench, jars, plants, and cypresses around it."""
 
 from __future__ import annotations
 
@@ -7,20 +7,36 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from skylight_sh.mesh.shapes import Piece, blade, box, joined, lathe, tube
+from skylight_sh.mesh.shapes import Piece, blade, box, joined, lathe, prism, ticks, tube
 
 Array = NDArray[np.float64]
 
-_GAP = 0.002
+_GAP = 0.003
 _JAR = (
-    *((0.0, 0.0), (0.2, 0.0), (0.235, 0.03), (0.3, 0.14), (0.385, 0.32), (0.44, 0.52), (0.452, 0.7), (0.42, 0.86)),
-    *((0.345, 0.99), (0.255, 1.07), (0.2, 1.12), (0.18, 1.17), (0.185, 1.21), (0.225, 1.245), (0.235, 1.262), (0.22, 1.275)),
-    *((0.17, 1.262), (0.145, 1.2), (0.0, 1.18)),
+    *((0.0, 0.0), (0.2, 0.0), (0.23, 0.02), (0.29, 0.12), (0.37, 0.28), (0.43, 0.46), (0.455, 0.64), (0.44, 0.8)),
+    *((0.385, 0.93), (0.3, 1.02), (0.225, 1.075), (0.188, 1.12), (0.182, 1.17), (0.205, 1.22), (0.24, 1.25)),
+    *((0.245, 1.265), (0.23, 1.278), (0.19, 1.262), (0.158, 1.2), (0.16, 1.1), (0.0, 1.02)),
 )
 _POT = (
-    *((0.0, 0.0), (0.19, 0.0), (0.2, 0.015), (0.24, 0.2), (0.275, 0.4), (0.28, 0.42)),
-    *((0.315, 0.425), (0.325, 0.44), (0.325, 0.49), (0.315, 0.505), (0.27, 0.505), (0.262, 0.45), (0.0, 0.45)),
+    *((0.0, 0.0), (0.19, 0.0), (0.2, 0.015), (0.235, 0.2), (0.27, 0.4), (0.275, 0.41)),
+    *((0.31, 0.418), (0.322, 0.435), (0.322, 0.49), (0.31, 0.505), (0.272, 0.505), (0.262, 0.45), (0.0, 0.46)),
 )
+# Three steps, and a moulded drum on them: one solid, so that nothing is hidden within it.
+_STEP = (
+    (0.0, 0.0),
+    (0.0, 0.03),
+    (0.0, 0.135),
+    (-0.004, 0.147),
+    (-0.011, 0.153),
+    (-0.024, 0.155),
+    (-0.1, 0.155),
+    (-0.27, 0.155),
+)
+_DRUM = (
+    *((0.42, 0.0), (0.42, 0.07), (0.4, 0.085), (0.36, 0.095), (0.335, 0.125), (0.326, 0.17), (0.322, 0.42)),
+    *((0.326, 0.66), (0.338, 0.7), (0.372, 0.72), (0.4, 0.735), (0.4, 0.8), (0.385, 0.815), (0.3, 0.815), (0.0, 0.815)),
+)
+_TREAD = 0.34
 
 
 @dataclass(frozen=True)
@@ -36,117 +52,107 @@ class Thing:
     sides: tuple[float, float, float, float] | None = None
 
 
-def things() -> list[Thing]:
+def things(detail: float) -> list[Thing]:
     """Return everything, in its place."""
-    x, y = -1.3, -0.9
+    x, y = -1.75, 0.1
     found = [
-        Thing("steps", "STONE", _steps().moved((x, y, 0.0)), x, y, 1.45),
-        Thing("plinth", "MARBLE", _plinth().moved((x, y, 0.45))),
-        Thing("sculpture", "OCHRE", _sculpture().moved((x, y, 1.29), turn=0.35)),
-        *_bench(-5.72, -3.6),
-        _jar("blue jar", "GLAZE", 1.0, 3.05, -2.3, 24),
-        _jar("clay jar", "CLAY", 0.86, -4.9, 2.75, 18),
-        _jar("small jar", "MARBLE", 0.42, -4.15, 2.2, 14),
-        _jar("far jar", "CLAY", 0.9, 6.4, 3.2, 16),
+        Thing("pedestal", "STONE", pedestal(detail).moved((x, y, _GAP)), x, y, 1.45),
+        Thing("sculpture", "OCHRE", sculpture(detail).moved((x, y, 1.285), turn=1.35)),
+        *_bench(-5.66, -2.5, detail),
+        _jar("blue jar", "GLAZE", 1.0, 3.0, -2.2, 26, detail),
+        _jar("clay jar", "CLAY", 0.9, -4.9, 2.75, 18, detail),
+        _jar("small jar", "MARBLE", 0.45, -4.1, 2.2, 14, detail),
+        _jar("far jar", "CLAY", 0.9, 6.4, 3.2, 14, detail),
     ]
-    for i, (px, py, seed) in enumerate(((0.9, 3.25, 1), (-5.2, -0.9, 2))):
-        found.append(Thing(f"pot {i + 1}", "CLAY", lathe(_POT, 18).moved((px, py, _GAP)), px, py, 0.2))
-        found.append(Thing(f"agave {i + 1}", "LEAF", _agave(seed).moved((px, py, 0.47))))
-    for i, (px, py, high, wide) in enumerate(((9.3, -6.4, 6.6, 0.75), (10.9, -4.4, 7.8, 0.9), (11.6, -8.6, 5.6, 0.7))):
-        found.append(Thing(f"cypress {i + 1}", "CYPRESS", _cypress(high, wide, i).moved((px, py, 0.0))))
+    for i, (px, py, seed) in enumerate(((0.9, 3.2, 1), (-5.35, 1.1, 2))):
+        found.append(Thing(f"pot {i + 1}", "CLAY", lathe(_POT, _count(16, detail)).moved((px, py, _GAP)), px, py, 0.2))
+        found.append(Thing(f"agave {i + 1}", "LEAF", _agave(seed, detail).moved((px, py, 0.47))))
+    trees = (
+        (11.5, 0.9, 6.5, 0.7),
+        (12.4, -1.6, 7.6, 0.85),
+        (11.0, -5.2, 6.4, 0.75),
+        (-9.5, 1.4, 7.2, 0.8),
+        (-10.6, 4.6, 8.6, 0.95),
+    )
+    for i, (px, py, high, wide) in enumerate(trees):
+        found.append(Thing(f"cypress {i + 1}", "CYPRESS", _cypress(high, wide, i, detail).moved((px, py, 0.0))))
     return found
 
 
-def _jar(name: str, colour: str, size: float, x: float, y: float, around: int) -> Thing:
-    profile = np.array(_JAR) * size
-    return Thing(name, colour, lathe(profile, around).moved((x, y, _GAP)), x, y, 0.2 * size)
+def pedestal(detail: float) -> Piece:
+    """Return three round steps and a moulded drum, 1.29 m tall."""
+    profile = [(0.0, 0.0)]
+    for i in range(3):
+        profile += [(1.45 - _TREAD * i + out, 0.155 * i + up) for out, up in _STEP]
+    profile += [(radius, 0.465 + up) for radius, up in _DRUM]
+    return lathe(profile, _count(36, detail))
 
 
-def _steps() -> Piece:
-    """Return three round steps, each a solid of its own."""
-    made = []
-    for i, radius in enumerate((1.45, 1.1, 0.76)):
-        low, high = 0.15 * i + (_GAP if i else 0.0), 0.15 * (i + 1)
-        inner = radius - 0.34
-        profile = [
-            *((0.0, low), (radius - 0.01, low), (radius, low + 0.01), (radius, low + 0.05)),
-            *(
-                (radius, high - 0.02),
-                (radius - 0.02, high),
-                (radius - 0.12, high),
-                (inner + 0.06, high),
-                (inner + 0.012, high),
-            ),
-        ]
-        made.append(lathe([*profile, (0.0, high)], 36))
-    return joined(made)
-
-
-def _plinth() -> Piece:
-    """Return a moulded drum."""
-    profile = (
-        *((0.0, _GAP), (0.4, _GAP), (0.4, 0.06), (0.38, 0.075), (0.345, 0.09), (0.33, 0.12), (0.322, 0.16)),
-        *((0.318, 0.4), (0.322, 0.64), (0.335, 0.68), (0.37, 0.705), (0.4, 0.72), (0.4, 0.79), (0.385, 0.805), (0.0, 0.805)),
-    )
-    return lathe(profile, 28)
-
-
-def _sculpture() -> Piece:
-    """Return a ribbon that turns about itself once on its way around a leaning loop."""
-    turns = np.arange(112) / 112
-    angle = 2.0 * np.pi * turns
-    wide = 0.60 + 0.10 * np.cos(2.0 * angle) + 0.05 * np.sin(3.0 * angle)
-    path = np.stack(
-        [wide * np.sin(angle) + 0.12 * np.sin(2.0 * angle), 0.30 * np.sin(2.0 * angle + 0.5), -1.18 * wide * np.cos(angle)],
-        axis=-1,
-    )
+def sculpture(detail: float) -> Piece:
+    """Return a ring of a squarish section that turns about itself once on its way around, thickest at its foot."""
+    count, around = _count(84, detail), 4 * max(2, round(5 * detail))
+    angle = 2.0 * np.pi * np.arange(count) / count
+    path = np.stack([0.6 * np.sin(angle), 0.1 * np.sin(2.0 * angle), -0.78 * np.cos(angle)], axis=-1)
 
     def outline(places: Array) -> Array:
-        around = 2.0 * np.pi * np.arange(18) / 18
-        cos, sin = np.cos(around), np.sin(around)
-        long, thin = np.sign(cos) * np.abs(cos) ** 0.75, np.sign(sin) * np.abs(sin) ** 0.75
-        swell = 1.0 + 0.25 * np.cos(2.0 * np.pi * places)
-        flat = np.stack(
-            np.broadcast_arrays(0.235 * swell[:, np.newaxis] * long, 0.085 * swell[:, np.newaxis] * thin), axis=-1
+        turn = 2.0 * np.pi * np.arange(around) / around
+        # A square with hollow sides and round edges.
+        radius = 0.235 * (1.0 - 0.2 * np.cos(4.0 * turn) + 0.035 * np.cos(8.0 * turn))
+        swell = 1.0 + 0.3 * np.cos(2.0 * np.pi * places)
+        angles = turn + 2.0 * np.pi * places[:, np.newaxis] + 0.2
+        return np.asarray(
+            (swell[:, np.newaxis] * radius)[..., np.newaxis] * np.stack([np.cos(angles), np.sin(angles)], axis=-1)
         )
-        turn = 2.0 * np.pi * places + 0.6
-        c, s = np.cos(turn)[:, np.newaxis], np.sin(turn)[:, np.newaxis]
-        return np.stack([c * flat[..., 0] - s * flat[..., 1], s * flat[..., 0] + c * flat[..., 1]], axis=-1)
 
-    loop = tube(path, outline, 18)
-    return loop.moved((0.0, 0.0, -float(loop.positions[:, 2].min())))
+    ring = tube(path, outline, around)
+    return ring.moved((0.0, 0.0, 0.002 - float(ring.positions[:, 2].min())))
 
 
-def _bench(x: float, y: float) -> list[Thing]:
-    found = [Thing("seat", "MARBLE", box((x - 0.2, y - 1.1, 0.4), (x + 0.24, y + 1.1, 0.49), 0.3, finer=0.04))]
+def _count(number: int, detail: float) -> int:
+    return max(6, round(number * detail))
+
+
+def _jar(name: str, colour: str, size: float, x: float, y: float, around: int, detail: float) -> Thing:
+    profile = np.array(_JAR) * size
+    return Thing(name, colour, lathe(profile, _count(around, detail)).moved((x, y, _GAP)), x, y, 0.2 * size)
+
+
+def _bench(x: float, y: float, detail: float) -> list[Thing]:
+    section = [
+        *((0.24, 0.415), (0.255, 0.43), (0.255, 0.475), (0.24, 0.49)),
+        *((-0.18, 0.49), (-0.195, 0.475), (-0.195, 0.43), (-0.18, 0.415)),
+    ]
+    places = ticks(y - 1.15, y + 1.15, 0.28 / detail, 0.04)
+    found = [Thing("seat", "MARBLE", prism(np.add(section, (x, 0.0)), places, "y"))]
     for i, at in enumerate((y - 0.75, y + 0.75)):
-        sides = (x - 0.14, at - 0.11, x + 0.18, at + 0.11)
-        leg = box((*sides[:2], _GAP), (*sides[2:], 0.4 - _GAP), 0.2)
+        sides = (x - 0.14, at - 0.13, x + 0.2, at + 0.13)
+        leg = box((*sides[:2], _GAP), (*sides[2:], 0.415 - _GAP), 0.2 / detail)
         found.append(Thing(f"leg {i + 1}", "MARBLE", leg, sides=sides))
     return found
 
 
-def _agave(seed: int) -> Piece:
+def _agave(seed: int, detail: float) -> Piece:
     random = np.random.default_rng(seed)
     leaves = []
-    for i in range(18):
-        ring = i / 18
-        length = 0.34 + 0.2 * (1.0 - abs(ring - 0.45)) + random.uniform(-0.03, 0.03)
-        leaf = blade(
-            length, 0.05, 0.014, lift=0.35 + 1.05 * ring + random.uniform(-0.06, 0.06), droop=0.75 * (1.0 - ring) + 0.1
-        )
-        leaves.append(leaf.moved((0.0, 0.0, 0.012 * ring), turn=2.39996 * i + random.uniform(-0.1, 0.1)))
+    for i in range(16):
+        ring = i / 16
+        length = 0.36 + 0.2 * (1.0 - abs(ring - 0.45)) + random.uniform(-0.03, 0.03)
+        lift, around = 0.35 + 1.05 * ring + random.uniform(-0.06, 0.06), 2.39996 * i + random.uniform(-0.1, 0.1)
+        leaf = blade(length, 0.055, 0.014, lift=lift, droop=0.75 * (1.0 - ring) + 0.1, rows=max(4, round(6 * detail)))
+        reach = 0.03 + 0.02 * (1.0 - ring)
+        leaves.append(leaf.moved((reach * np.cos(around), reach * np.sin(around), 0.012 * ring), turn=around))
     return joined(leaves)
 
 
-def _cypress(high: float, wide: float, seed: int) -> Piece:
+def _cypress(high: float, wide: float, seed: int, detail: float) -> Piece:
     random = np.random.default_rng(100 + seed)
     phases = random.uniform(0.0, 2.0 * np.pi, 3)
 
     def ragged(azimuth: Array) -> Array:
         return np.asarray(1.0 + 0.1 * np.sin(3.0 * azimuth + phases[0]) + 0.07 * np.sin(5.0 * azimuth + phases[1]))
 
-    share = np.linspace(0.0, 1.0, 13)
+    share = np.linspace(0.0, 1.0, _count(12, detail))
     radius = wide * np.sin(np.pi * share**0.62) ** 0.8 * (1.0 + 0.05 * np.sin(23.0 * share + phases[2]))
     radius[0] = radius[-1] = 0.0
-    return lathe(np.stack([radius, 0.25 + (high - 0.25) * share], axis=-1), 16, ragged)
+    tree = lathe(np.stack([radius, 0.05 + (high - 0.05) * share], axis=-1), _count(12, detail), ragged)
+    return tree.mapped((0.7, 0.7, 0.0), (0.0, 0.0, 1.0), 1.5)
