@@ -29,7 +29,9 @@ STEPS = 127
 # Transfer and directions are rounded to so many bits below their largest, so that sums of products are exact and hence the
 # same in any order: 2 * 18 bits and 100,000 vertices fill the 53 of a double.
 _BITS = 18
-_DIRECTION_BITS = 16
+_DIRECTION_BITS = 12
+# The noise of eigenvectors would grow from round to round: what rounds hand on has few bits.
+_IMPORTANCE_BITS = 8
 # What a frame's uniforms are made with needs no more bits than a float32 has.
 _MATRIX_BITS = 24
 # A component of less than this share of the first one's variance is noise.
@@ -158,8 +160,7 @@ def _directions(gram: Array, centred: Array, lights: Array, count: int) -> Array
             break
         wanted = (lost / level) ** (_POWERS - 2.0) / np.square(_BALANCE)
         importance = np.sqrt(importance * wanted)
-        # Rounded, or the noise of the last bits would grow from round to round.
-        importance = significant(importance / importance.max(), _BITS)
+        importance = significant(importance / importance.max(), _IMPORTANCE_BITS)
         found = _principal(centred, even, importance, count)
     return found
 
