@@ -68,6 +68,8 @@ def test_sheets_that_coincide_are_counted_however_they_are_cut(tmp_path: Path, s
     told = found(scene(tmp_path, ("fine", *fine), ("coarse", *coarse), scale=scale))
     # A ray at the middle of one meets it or what lies on it; whichever it is, the other is counted.
     assert sum(count for (_, kind), count in told.items() if kind == "coincident sheets") >= 2
+    upside_down = (coarse[0], [face[::-1] for face in coarse[1]])
+    assert found(scene(tmp_path, ("fine", *fine), ("coarse", *upside_down), scale=scale)) == {}
     apart = (fine[0] + [0.0, 0.0, 1e-3], fine[1])
     # The lower one sees the upper one's back.
     assert found(scene(tmp_path, ("fine", *apart), ("coarse", *coarse), scale=scale)) == {("coarse", "buried part"): 4}

@@ -58,7 +58,7 @@ def coincident(mesh: Mesh) -> Findings:
     shared = np.bincount(number)[number] > 1
     names = [part.name for part in mesh.parts]
     noun = "triangle/triangles that coincide with another one"
-    return by_part(names, mesh.part[shared], "coincident", noun, "which one is seen is left to chance", healed=False)
+    return by_part(names, mesh.part[shared], "coincident", noun, "so that chance decides which one is seen", healed=False)
 
 
 def _on_edges(mesh: Mesh, touching: Topology, start: Index, end: Index, part: Index) -> Index:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -36,6 +36,26 @@ def by_part(names: Sequence[str], which: ArrayLike, kind: str, noun: str, done: 
         Finding(names[i], kind, int(counts[i]), healed, f"Part {names[i]!r}: {counted(int(counts[i]), noun)}, {done}.")
         for i in np.flatnonzero(counts).tolist()
     )
+
+
+def told(findings: Iterable[Finding], most: int = 3) -> list[str]:
+    """Return what was found as sentences for people, one for all parts where a kind is in more than ``most`` of them.
+
+    >>> found = by_part("abcd", [0, 1, 1, 2, 3], "zero area", "triangle/triangles without area", "removed", healed=True)
+    >>> told(found)
+    ["Part 'b': 2 triangles without area, removed. Likewise in 3 other parts, 5 in all."]
+    """
+    kinds: dict[str, list[Finding]] = {}
+    for finding in findings:
+        kinds.setdefault(finding.kind, []).append(finding)
+    sentences = []
+    for found in kinds.values():
+        if len(found) <= most:
+            sentences += [finding.sentence for finding in found]
+        else:
+            largest, total = max(found, key=lambda finding: finding.count), sum(finding.count for finding in found)
+            sentences.append(f"{largest.sentence} Likewise in {len(found) - 1} other parts, {total:,} in all.")
+    return sentences
 
 
 def counted(count: int, noun: str) -> str:

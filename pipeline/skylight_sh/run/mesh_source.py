@@ -39,13 +39,14 @@ class MeshSource:
     def mesh(self, warn: Callable[[str], None] = lambda _: None) -> Mesh:
         """Return the mesh; ``warn`` is told what was found wrong with it and healed. Raises UserError."""
         from skylight_sh.mesh import read
+        from skylight_sh.mesh.findings import told
 
         if self.made:
             made: Mesh = MADE[str(self.file)]()
             return made
         found, findings = read(self.file, self.up)
-        for finding in findings:
-            warn(finding.sentence)
+        for sentence in told(findings):
+            warn(sentence)
         return found
 
     def parameters(self) -> dict[str, Any]:

@@ -75,9 +75,10 @@ def seen_from_behind(mesh: Mesh, rays: Rays, start: StartPoints, seed: int = 0) 
 
 
 def coincident_sheets(mesh: Mesh, rays: Rays) -> tuple[Finding, ...]:
-    """Count the triangles whose middle lies on another one, but for those with the same corners.
+    """Count the triangles whose middle lies on another one that faces the same way.
 
-    Where two coincide a ray meets either, so that of each pair at least one is counted.
+    Where two coincide a ray meets either, so that of each pair at least one is counted. Two that face each other touch, as a
+    box and the floor under it: nothing is seen of either.
     """
     facing, corners = mesh.facing, mesh.corners
     above = corners.mean(axis=1) + _ABOVE * rays.size * facing
@@ -86,11 +87,12 @@ def coincident_sheets(mesh: Mesh, rays: Rays) -> tuple[Finding, ...]:
         hits = rays.nearest(above[block], -facing[block])
         other = hits.met & (hits.triangle != np.arange(block.start, block.stop))
         same = np.abs(hits.distance - _ABOVE * rays.size) < _SAME * rays.size
-        found.append(np.flatnonzero(other & same) + block.start)
+        alike = np.einsum("nk,nk->n", facing[block], facing[hits.triangle]) > 0.0
+        found.append(np.flatnonzero(other & same & alike) + block.start)
     part = mesh.part[np.concatenate(found)]
-    noun = "triangle/triangles that lie on others"
+    noun = "triangle/triangles on top of others"
     names = [one.name for one in mesh.parts]
-    return by_part(names, part, "coincident sheets", noun, "which one is seen is left to chance", healed=False)
+    return by_part(names, part, "coincident sheets", noun, "so that chance decides which one is seen", healed=False)
 
 
 def _behind(hits: Hits, along: Array, facing: Array) -> tuple[Index, NDArray[np.bool_]]:

@@ -25,8 +25,6 @@ _CHUNK = 4096
 # A vertex that sees this share of back faces lies inside something.
 _BURIED = 0.25
 _PURPOSE = 3
-# Of a part's vertices: a share of back faces seen that is told, and one of buried vertices.
-_TURNED, _MANY = 0.5, 0.2
 
 
 @dataclass(frozen=True)
@@ -87,32 +85,6 @@ def healing(mesh: Mesh, buried: Bool) -> sparse.csr_array:
         share = sparse.diags_array(np.where(ring, 1.0 / np.maximum(reached, 1.0), 0.0))
         heal = sparse.csr_array(heal + share @ neighbours @ sparse.diags_array(known.astype(np.float64)) @ heal)
         known = known | ring
-
-
-def told(mesh: Mesh, start: StartPoints) -> list[str]:
-    """Return what one should know of the parts of a mesh, by what their vertices see from behind, as sentences."""
-    part = np.zeros(len(mesh.positions), dtype=np.int64)
-    part[mesh.triangles] = mesh.part[:, np.newaxis]
-    used = np.zeros(len(mesh.positions), dtype=bool)
-    used[mesh.triangles] = True
-    found = []
-    for i, one in enumerate(mesh.parts):
-        own = used & (part == i)
-        if not own.any():
-            continue
-        share, lost = float(start.behind[own].mean()), int(start.buried[own].sum())
-        if share > _TURNED:
-            found.append(
-                f"Part {one.name!r}: {share:.0%} of what its vertices see are back faces, so that it may be inside out, or "
-                "lie within another part. What is met from behind is black."
-            )
-        elif lost == own.sum():
-            found.append(f"Part {one.name!r}: all {lost} vertices lie inside other parts. They stay black.")
-        elif lost > _MANY * own.sum():
-            found.append(
-                f"Part {one.name!r}: {lost} of {own.sum()} vertices lie inside other parts or where parts touch, healed."
-            )
-    return found
 
 
 def _incident(mesh: Mesh, most: int = 8) -> Index:

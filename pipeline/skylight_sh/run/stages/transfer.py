@@ -9,13 +9,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from skylight_sh.mesh import Mesh
+from skylight_sh.mesh.findings import told
 from skylight_sh.run.blocks import Arrays, map_in_blocks
 from skylight_sh.run.executors import Advance
 from skylight_sh.run.mesh_source import MeshSource
 from skylight_sh.run.plan import Inputs
 from skylight_sh.store.blocks import Blocks
 from skylight_sh.store.dataset import Dataset, Variable
-from skylight_sh.transfer.start_points import told
+from skylight_sh.transfer.inspection import inspect
 from skylight_sh.transfer.whole import Setup, Transfer, blocks_of, collect, finish, open_transfer, prepare, see
 
 _MEANING = "its dot product with the SH weights of the light is irradiance / pi, bounces included, before the albedo"
@@ -29,8 +30,8 @@ def make(source: MeshSource, executor: str, workers: int, _: Inputs, advance: Ad
     if source.unshadowed:
         return _dataset(source, mesh, open_transfer(mesh, options.bands), None)
     setup = prepare(mesh, options)
-    for text in told(mesh, setup.start):
-        blocks.warn(text)
+    for sentence in told(inspect(mesh, setup.rays, setup.start, options.seed)):
+        blocks.warn(sentence)
     found = in_blocks(setup, executor, workers, advance, blocks)
     return _dataset(source, mesh, found.transfer, found)
 
