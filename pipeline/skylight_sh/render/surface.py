@@ -66,6 +66,19 @@ class Surface:
         """Return where rays that leave the surface at ``points`` start, ``(n, 3)``."""
         return np.asarray(points.positions + _ABOVE * self.rays.size * points.facing)
 
+    def smooth_starts(self, points: Points) -> Array:
+        """Return where shadow rays start, ``(n, 3)``: on the surface that the vertices' normals round off (Hanika 2021).
+
+        A point is projected onto the plane of each of its triangle's vertices where it lies below it, and the projections
+        are interpolated. Where a triangle is flat, or hollow, that is the point itself.
+        """
+        mesh, moved = self.mesh, np.zeros(points.positions.shape)
+        for k in range(3):
+            corner = points.corners[:, k]
+            depth = np.einsum("nk,nk->n", points.positions - mesh.positions[corner], mesh.normals[corner])
+            moved -= (points.shares[:, k] * np.minimum(depth, 0.0))[:, np.newaxis] * mesh.normals[corner]
+        return np.asarray(self.starts(points) + moved)
+
 
 def averaged(mesh: Mesh) -> Array:
     """Return the vertices' albedo ``(v, 3)`` with textures, each as its mean colour: what bounces between vertices see."""
