@@ -150,12 +150,13 @@ def gather_matrix(setup: Setup, indirect: Sequence[Arrays]) -> sparse.csr_array:
 def spread_of(halves: Array, valid: NDArray[np.bool_]) -> tuple[Array, float]:
     """Return how far the mean of two halves ``(2, v, N*N)`` may be off: for each vertex ``(v,)``, and for all valid ones.
 
-    That is the root of the sum of squares of half their difference over that of their mean.
+    That is the root of the sum of squares of half their difference over that of their mean; 0 where no light comes in.
     """
     off = np.square(0.5 * (halves[0] - halves[1])).sum(axis=1)
     mean = np.square(halves.mean(axis=0)).sum(axis=1)
     spread = np.sqrt(np.divide(off, mean, out=np.zeros_like(off), where=mean > 0.0))
-    return spread, float(np.sqrt(off[valid].sum() / mean[valid].sum()))
+    whole = float(mean[valid].sum())
+    return spread, float(np.sqrt(off[valid].sum() / whole)) if whole > 0.0 else 0.0
 
 
 def open_transfer(mesh: Mesh, bands: int) -> Array:
