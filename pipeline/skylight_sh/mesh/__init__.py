@@ -2,6 +2,6 @@
 
 from skylight_sh.mesh._mesh import Mesh, Part
 from skylight_sh.mesh.findings import Finding
-from skylight_sh.mesh.reading import read
+from skylight_sh.mesh.reading import files, read
 
-__all__ = ["Finding", "Mesh", "Part", "read"]
+__all__ = ["Finding", "Mesh", "Part", "files", "read"]

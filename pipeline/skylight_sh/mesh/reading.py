@@ -14,6 +14,19 @@ from skylight_sh.mesh.formats import FORMATS
 from skylight_sh.mesh.formats.protocol import Up
 
 
+def files(path: Path) -> tuple[Path, ...]:
+    """Return all files that ``read(path)`` draws on and that are there: its own first, then materials, data, pictures.
+
+    A file that cannot be made out is there alone: reading it tells why.
+    """
+    ending = path.suffix.lower().removeprefix(".")
+    try:
+        others = FORMATS[ending].beside(path) if ending in FORMATS else ()
+        return tuple(dict.fromkeys(file for file in (path, *others) if file.is_file()))
+    except (UserError, OSError):
+        return (path,)
+
+
 def read(path: Path, up: str | None = None) -> tuple[Mesh, tuple[Finding, ...]]:
     """Return the mesh of a file, and what was found in it, healed or not.
 

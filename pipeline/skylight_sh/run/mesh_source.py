@@ -49,10 +49,16 @@ class MeshSource:
             warn(sentence)
         return found
 
+    def _sums(self) -> list[str]:
+        """Return the sums of all files that the mesh is in: its materials and pictures may stand beside it."""
+        from skylight_sh.mesh import files
+
+        return [_sum(file) for file in files(self.file)]
+
     def parameters(self) -> dict[str, Any]:
         """Return what decides the transfer beside its code, JSON-like."""
         return {
-            "mesh": str(self.file) if self.made else _sum(self.file),
+            "mesh": str(self.file) if self.made else self._sums(),
             "up": self.up,
             "options": asdict(self.options),
             "unshadowed": self.unshadowed,

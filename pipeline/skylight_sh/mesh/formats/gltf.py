@@ -265,4 +265,11 @@ def _triangles(document: Document, primitive: Json, mode: int, count: int) -> In
     raise UserError(f"glTF: a primitive of mode {mode}. Should be 4, 5 or 6. Export it as triangles.")
 
 
-FORMAT = Format("glTF 2.0", "y", read)
+def beside(path: Path) -> tuple[Path, ...]:
+    """Return the files of buffers and images that a glTF file names."""
+    document = load(path)
+    named = [values for kind in ("buffers", "images") for values in objects(document.root, kind) if "uri" in values]
+    return tuple(found for found in map(document.data, named) if isinstance(found, Path))
+
+
+FORMAT = Format("glTF 2.0", "y", read, beside)

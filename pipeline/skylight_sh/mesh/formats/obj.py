@@ -120,6 +120,8 @@ def _take(lines: _Lines, words: list[str]) -> None:
         _take_face(lines, words[1:])
     elif what in ("o", "g", "usemtl"):
         setattr(lines, what, " ".join(words[1:]))
+        # An object begins without a group.
+        lines.g = "" if what == "o" else lines.g
     elif what == "mtllib":
         lines.libraries.append(" ".join(words[1:]))
     elif what in _CURVED:
@@ -208,4 +210,13 @@ def _vertex_colours(lines: _Lines, index: Index) -> Array | None:
     return None if np.isnan(found).all() else pictures.decoded(found)
 
 
-FORMAT = Format("Wavefront OBJ", "z", read)
+def beside(path: Path) -> tuple[Path, ...]:
+    """Return the MTL files that an OBJ file names, and their pictures."""
+    with path.open(encoding="utf-8", errors="replace") as file:
+        named = [" ".join(words[1:]) for _, words in _statements(file) if words[0] == "mtllib"]
+    libraries = [path.parent / name for name in named]
+    used = [picture.path for m in mtl.read(libraries)[0].values() for picture in (m.texture, m.relief) if picture]
+    return (*libraries, *used)
+
+
+FORMAT = Format("Wavefront OBJ", "z", read, beside)

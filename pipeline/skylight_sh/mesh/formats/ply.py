@@ -241,4 +241,11 @@ def _together(columns: _Columns, names: tuple[str, ...]) -> Array | None:
     return np.stack(arrays, axis=-1) if len(arrays) == len(names) else None
 
 
-FORMAT = Format("Stanford PLY", "z", read)
+def beside(path: Path) -> tuple[Path, ...]:
+    """Return the picture that a PLY file names, if any."""
+    found = _HEADER.match(path.read_bytes())
+    picture = _parsed(found[0].decode("utf-8", errors="replace")).picture if found else ""
+    return (path.parent / picture,) if picture else ()
+
+
+FORMAT = Format("Stanford PLY", "z", read, beside)

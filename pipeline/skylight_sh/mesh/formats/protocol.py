@@ -49,14 +49,16 @@ class Content:
 
 @dataclass(frozen=True)
 class Format:
-    """A format: its ``title`` for people, which axis is ``up`` by default, and its reader.
+    """A format: its ``title`` for people, which axis is ``up`` by default, its reader, and which files it reads.
 
-    ``read`` raises UserError, telling what is wrong where, for a file that it cannot read whole.
+    ``read`` raises UserError, telling what is wrong where, for a file that it cannot read whole. ``beside`` names the other
+    files that a file draws on, there or not; it may leave out what it cannot make out, for then ``read`` fails.
     """
 
     title: str
     up: Up
     read: Callable[[Path], Content]
+    beside: Callable[[Path], tuple[Path, ...]] = lambda _: ()
 
 
 def check_count(count: int, noun: str) -> None:
