@@ -175,8 +175,10 @@ def _each(column: str, axes: tuple[str, ...]) -> tuple[str, ...]:
 
 
 def test_every_step_of_the_store_is_listed() -> None:
-    """Those of four configs, which have every step there is, and no others."""
-    configs = [load(ROOT / "configs" / f"{name}.toml") for name in ("preetham", "black-box", "clear-day", "valley")]
+    """Those of five configs, which have every step there is, and no others."""
+    configs = [
+        load(ROOT / "configs" / f"{name}.toml") for name in ("preetham", "black-box", "clear-day", "valley", "papers-scenes")
+    ]
     names = {step.name for config in configs for step in steps(config)}
     told = section("The artifact store").partition("What the steps hold:")[2]
     rows = [line.split("|")[1] for line in told.splitlines() if line.startswith("| `")]

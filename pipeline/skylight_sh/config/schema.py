@@ -11,6 +11,7 @@ from pydantic import Field, PrivateAttr
 from skylight_sh import shipped
 from skylight_sh.config.choices import AnyOf, OneOf
 from skylight_sh.config.mesh_schema import MeshSection
+from skylight_sh.config.scenes_schema import ScenesSection
 from skylight_sh.config.section import Section
 from skylight_sh.config.surroundings_schema import CloudsSection, OccluderSection
 from skylight_sh.export.targets import ALWAYS, TARGETS
@@ -139,6 +140,7 @@ class ReportSection(Section):
         description="pictures of the report; origins (of the 2008 paper's error) costs a second of sampling, gibbs a few",
     )
     cases: tuple[CaseSection, ...] = Field((), description="parameter sets to show beside the worst one")
+    scenes: ScenesSection | None = Field(None, description="how large and how exact pictures of scenes are")
 
 
 class SunSection(Section):

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from skylight_sh.config import surroundings_validation
+from skylight_sh.config import scenes_validation, surroundings_validation
 from skylight_sh.config.problem import Problem
 from skylight_sh.config.schema import AxisSection, Config
 from skylight_sh.config.wanted import table_names
@@ -31,6 +31,7 @@ def find(config: Config) -> list[Problem]:
         *_cases(config),
         *_names(config),
         *_export(config),
+        *scenes_validation.find(config),
     ]
 
 

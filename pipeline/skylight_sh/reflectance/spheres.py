@@ -42,19 +42,16 @@ class Spheres:
         return out
 
 
-def in_bands(lights: Spheres, points: Array, axes: Array, factors: ArrayLike, window: ArrayLike = 1.0) -> Array:
-    """Return what a lobe about ``axes`` ``(p, 3)`` collects at ``points`` ``(p, 3)``, within bands: ``(p, channels)``.
+def in_bands(weights: NDArray[np.floating], axes: Array, factors: ArrayLike, window: ArrayLike = 1.0) -> Array:
+    """Return what a lobe about ``axes`` ``(p, 3)`` collects of ``weights`` ``(p, channels, M*M)``: ``(p, channels)``.
 
-    ``factors`` ``(N,)`` are the lobe's (``reflectance.lobes``), ``window`` those of a window against ringing. The clamped
-    cosine's about the normal give irradiance / pi: multiply by the albedo.
+    ``factors`` ``(N,)`` are the lobe's (``reflectance.lobes``), N at most M, ``window`` those of a window against ringing.
+    The clamped cosine's over pi, about the normal, give irradiance / pi: multiply by the albedo.
     """
     known = np.asarray(factors, dtype=np.float64) * np.asarray(window, dtype=np.float64)
-    bands = known.shape[-1]
-    out = np.empty((len(points), lights.radiance.shape[1]))
-    for rows in _blocks(len(points), len(lights.radii) * bands * bands):
-        blurred = sphere.scale_degrees(lights.weights(points[rows], bands), known)
-        out[rows] = np.einsum("pcw,pw->pc", blurred, sphere.basis(axes[rows], bands))
-    return out
+    count = known.shape[-1] ** 2
+    towards = sphere.scale_degrees(sphere.basis(axes, known.shape[-1]), known)
+    return np.asarray(np.einsum("pcw,pw->pc", weights[..., :count], towards))
 
 
 def integrated(lights: Spheres, points: Array, axes: Array, exponent: float) -> Array:

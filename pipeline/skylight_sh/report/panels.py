@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from skylight_sh.report import style
+from skylight_sh.report.report_data import ReportData
 
 Array = NDArray[np.float64]
 
@@ -17,6 +19,7 @@ Array = NDArray[np.float64]
 _WIDTH, _GAP, _EDGE = 11.6, 0.1, 0.06
 # A line's height over its letters'.
 _LEADING = 1.45
+_BRUTE = {"paths": "brute force", "integrated": "brute force"}
 
 
 @dataclass(frozen=True)
@@ -72,3 +75,36 @@ def measured(error: float, flip: float) -> str:
     '3.7 %, FLIP .046'
     """
     return f"{style.percent(float(f'{error:.2g}'))}, FLIP {flip:.3f}".replace(" 0.", " .")
+
+
+def told(found: Mapping[str, NDArray[Any]], name: str, exact: str = "paths") -> list[tuple[str, Array]]:
+    """Return the pictures of ``name`` with what they are and how far off, fewest bands first, brute force last."""
+    shown = []
+    for bands, error, flip in zip(*(found[f"{name}/{key}"].tolist() for key in ("bands", "error", "flip")), strict=True):
+        shown.append((f"{bands} bands {measured(error, flip)}", found[f"{name}/{bands}"] / 255.0))
+    return [*shown, (_BRUTE.get(exact, exact), found[f"{name}/{exact}"] / 255.0)]
+
+
+def fewer(found: Mapping[str, NDArray[Any]], name: str, bands: Sequence[int] = (3, 5, 7)) -> str:
+    """Return a line of errors by the number of bands: the relative RMSE in per cent, and FLIP."""
+    known = found[f"{name}/bands"].tolist()
+    rows = [known.index(n) for n in bands]
+    errors = ", ".join(style.percent(float(f"{found[f'{name}/error'][k]:.2g}")).removesuffix(" %") for k in rows)
+    flips = ", ".join(f"{found[f'{name}/flip'][k]:.3f}".removeprefix("0") for k in rows)
+    return f"{', '.join(map(str, bands))} bands: {errors} %; FLIP {flips}"
+
+
+def numbers(file: str, part: str, names: Sequence[str]) -> Callable[[ReportData], Mapping[str, bytes]]:
+    """Return what writes the errors of pictures as ``file``.csv: a row for each of ``names`` and number of bands."""
+
+    def write(data: ReportData) -> Mapping[str, bytes]:
+        found = data.pictures.get(part)
+        if found is None:
+            return {}
+        lines = ["picture,bands,relative_rmse,flip"]
+        for name in names:
+            columns = [found[f"{name}/{key}"].tolist() for key in ("bands", "error", "flip")]
+            lines += [f"{name},{bands},{error:.4g},{flip:.4g}" for bands, error, flip in zip(*columns, strict=True)]
+        return {f"{file}.csv": ("\n".join(lines) + "\n").encode()}
+
+    return write

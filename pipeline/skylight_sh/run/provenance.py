@@ -22,6 +22,8 @@ _LIBRARIES = ("numpy", "scipy", "h5py", "dask")
 # Those whose versions can change a result; drawing libraries change the report alone.
 _DRAWING = ("matplotlib", "pandas", "jinja2")
 
+_LATER = (("report", "scenes"), ("scene", "mesh"))
+
 
 @lru_cache(maxsize=1)
 def versions() -> dict[str, str]:
@@ -69,12 +71,19 @@ def drawing() -> dict[str, str]:
 
 def settings(config: Config) -> dict[str, Any]:
     """Return the config as JSON-like data, without what changes no result: where work is done, files, what it extends."""
-    return config.model_dump(mode="json", exclude={"extends": True, "run": True, "export": {"targets"}})
+    found = whole_settings(config)
+    del found["export"]["targets"]
+    return found
 
 
 def whole_settings(config: Config) -> dict[str, Any]:
     """Return ``settings`` and which files are exported: all that it takes to run the config again."""
-    return config.model_dump(mode="json", exclude={"extends": True, "run": True})
+    found: dict[str, Any] = config.model_dump(mode="json", exclude={"extends": True, "run": True})
+    # What came later leaves the settings of those who do not use it as they were, and their digests.
+    for section, key in _LATER:
+        if found[section][key] is None:
+            del found[section][key]
+    return found
 
 
 def settings_digest(config: Config) -> str:

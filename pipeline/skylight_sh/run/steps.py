@@ -14,9 +14,11 @@ from pathlib import Path
 from typing import Any
 
 from skylight_sh import __version__
+from skylight_sh.config.scenes_schema import ScenesSection
 from skylight_sh.config.schema import Config
 from skylight_sh.config.section import Section
 from skylight_sh.config.wanted import wanted
+from skylight_sh.report.figures import SCENES
 from skylight_sh.run.code import Later
 from skylight_sh.run.mesh_source import MADE, MeshSource
 from skylight_sh.run.plan import Step
@@ -31,6 +33,12 @@ PROBE, VARIABLES, SURROUNDINGS = (f"truth/{part}" for part in ("probe", "variabl
 ORIGINS = "fit/origins"
 TRANSFER = "transfer"
 LIGHTING = "measure/lighting"
+# The steps of pictures of scenes: what they read, and what makes them.
+_PICTURES = {
+    "pictures/courtyard": (("select",), "courtyard:make"),
+    "pictures/ten_lights": ((), "ten_lights:make"),
+    "pictures/relief": (("pictures/courtyard",), "relief:make"),
+}
 
 
 def steps(config: Config) -> list[Step]:
@@ -38,7 +46,20 @@ def steps(config: Config) -> list[Step]:
 
     What the config's own pictures and lamps may still have wrong with them is told first.
     """
-    stages = (_surroundings, _truth, _variables, _fit, _origins, _select, _measure, _lighting, _transfer, _export, _report)
+    stages = (
+        _surroundings,
+        _truth,
+        _variables,
+        _fit,
+        _origins,
+        _select,
+        _measure,
+        _lighting,
+        _transfer,
+        _scenes,
+        _export,
+        _report,
+    )
     return [step for stage in stages for step in stage(config)]
 
 
@@ -57,6 +78,12 @@ def shows_origins(config: Config) -> bool:
 def shows_lighting(config: Config) -> bool:
     """Say whether the report shows what lit surfaces lose."""
     return "lighting_error" in config.report.figures
+
+
+def shown_scenes(config: Config) -> tuple[str, ...]:
+    """Return the names of the steps that make the report's pictures of scenes."""
+    shown = {step for name in config.report.figures for step in SCENES.get(name, ())}
+    return tuple(step for step in _PICTURES if step in shown)
 
 
 def selected_on(config: Config) -> tuple[str, ...]:
@@ -209,6 +236,15 @@ def _lighting(config: Config) -> Iterator[Step]:
         yield _step(LIGHTING, ("select",), parameters, "lighting:make", config)
 
 
+def _scenes(config: Config) -> Iterator[Step]:
+    """Yield the steps of the pictures that the report shows."""
+    asked = (config.report.scenes or ScenesSection.model_construct()).model_dump(mode="json")
+    parameters = {"light": _light(config), "axes": _dump(config.axes), "fixed": config.scene.fixed, "scenes": asked}
+    for name in shown_scenes(config):
+        needed, make = _PICTURES[name]
+        yield _step(name, needed, parameters, make, config)
+
+
 def _export(config: Config) -> Iterator[Step]:
     parameters = {"config": settings(config), "targets": config.export.targets, "version": __version__}
     yield _step("export", ("select", "measure"), parameters, "export:make", config)
@@ -217,6 +253,7 @@ def _export(config: Config) -> Iterator[Step]:
 def _report(config: Config) -> Iterator[Step]:
     parameters = {"config": settings(config), "drawing": drawing()}
     explained = ((ORIGINS,) if shows_origins(config) else ()) + ((LIGHTING,) if shows_lighting(config) else ())
+    explained += shown_scenes(config)
     needed = (RULE, VERIFICATION, "fit", "select", "measure", *_searched(config), *_surrounded(config), *explained)
     yield _step("report", needed, parameters, "report:make", config)
 

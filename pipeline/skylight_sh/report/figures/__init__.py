@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from skylight_sh.registry import Registry
@@ -22,6 +23,20 @@ PICTURES: Registry[Picture] = Registry(
         "ringing": "skylight_sh.report.figures.ringing:PICTURE",
         "gibbs": "skylight_sh.report.figures.gibbs:PICTURE",
         "lighting_error": "skylight_sh.report.figures.lighting_error:PICTURE",
+        "error_sources": "skylight_sh.report.figures.error_sources:PICTURE",
+        "daylight_scene": "skylight_sh.report.figures.daylight_scene:PICTURE",
+        "interreflection": "skylight_sh.report.figures.interreflection:PICTURE",
+        "spherical_lights": "skylight_sh.report.figures.spherical_lights:PICTURE",
+        "normal_map": "skylight_sh.report.figures.normal_map:PICTURE",
         "encoding": "skylight_sh.report.figures.encoding:PICTURE",
     }
 )
+
+# Pictures of scenes, and the steps that make what they draw.
+SCENES: Mapping[str, tuple[str, ...]] = {
+    "daylight_scene": ("pictures/courtyard",),
+    "interreflection": ("pictures/courtyard",),
+    "spherical_lights": ("pictures/ten_lights",),
+    "normal_map": ("pictures/courtyard", "pictures/relief"),
+    "error_sources": ("pictures/courtyard",),
+}

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 from matplotlib.figure import Figure
-from matplotlib.ticker import FuncFormatter
+from matplotlib.ticker import FixedLocator, FuncFormatter
 from numpy.typing import NDArray
 
 from skylight_sh.report import style
@@ -17,22 +17,22 @@ Array = NDArray[np.float64]
 
 _WIDTH = 8.0
 CAPTION = (
-    "Where the error of a lit picture comes from: relative RMSE of linear light over all that is seen of the courtyard, for "
-    "suns of three heights, on a logarithmic scale. The tables: weights from the recommended and from the smallest one "
-    "against true ones. Sampling: transfer by two halves of its rays. Vertices: transfer at vertices, interpolated, against "
-    "transfer at every pixel. Bands: transfer at every pixel against brute force. All: the picture as it is, against brute "
-    "force; and the same without its bounces, and without its shadows."
+    "Where the error of a lit picture comes from: relative RMSE of linear light over all that is seen of the courtyard, "
+    "for suns of three heights, on a logarithmic scale. The tables: weights from the recommended and from the smallest "
+    "one against true ones. Sampling: transfer by two halves of its rays. Vertices: transfer at vertices, interpolated, "
+    "against transfer at every pixel. Bands: transfer at every pixel against brute force. All: the picture as it is, "
+    "against brute force; and the same without its bounces, and without its shadows."
 )
 
 
 def draw(data: ReportData) -> Figure | None:
     """Draw the bars; None where the run made no pictures of scenes."""
-    found = data.pictures.get("sources")
+    found = data.pictures.get("courtyard")
     if found is None:
         return None
-    names = [str(name) for name in found["source"]]
-    suns = [f"sun {height:g}°" for height in found["height"]]
-    return bars(names, dict(zip(suns, found["error"].T, strict=True)))
+    names = [str(name) for name in found["sources/source"]]
+    suns = [f"sun {height:g}°" for height in found["sources/height"]]
+    return bars(names, dict(zip(suns, found["sources/error"].T, strict=True)))
 
 
 def bars(names: Sequence[str], errors: Mapping[str, Array]) -> Figure:
@@ -51,6 +51,7 @@ def bars(names: Sequence[str], errors: Mapping[str, Array]) -> Figure:
     panel.set_xscale("log")
     # Room for the numbers beside the longest bars.
     panel.set_xlim(start, values.max() * 12.0)
+    panel.xaxis.set_major_locator(FixedLocator([10.0**k for k in range(round(np.log10(start)), 1)]))
     panel.xaxis.set_major_formatter(FuncFormatter(lambda value, _: style.percent(float(value)).removesuffix(" %")))
     panel.set_xlabel("relative RMSE, per cent", fontsize=size)
     panel.set_yticks(range(len(names)), names)

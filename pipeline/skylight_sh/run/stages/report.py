@@ -19,7 +19,7 @@ from skylight_sh.run.files import to_dataset
 from skylight_sh.run.from_config import read_table, scene_of, surroundings_of
 from skylight_sh.run.plan import Inputs
 from skylight_sh.run.provenance import settings
-from skylight_sh.run.steps import LIGHTING, ORIGINS, RULE, VERIFICATION
+from skylight_sh.run.steps import LIGHTING, ORIGINS, RULE, VERIFICATION, shown_scenes
 from skylight_sh.scene.fold import fold
 from skylight_sh.store.dataset import Dataset
 
@@ -81,6 +81,7 @@ def _report_data(config: Config, inputs: Inputs) -> ReportData:
         rule=rule.attrs,
         surroundings=surroundings_of(inputs),
         lighting=_arrays(inputs[LIGHTING]) if LIGHTING in inputs else None,
+        pictures={name.partition("/")[2]: _arrays(inputs[name]) for name in shown_scenes(config)},
     )
 
 

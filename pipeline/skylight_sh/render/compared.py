@@ -1,0 +1,149 @@
+"""The same points of a scene lit through transfer and by paths, so that each source of error stands alone.
+
+Transfer is linear in the light, and every shortcut it takes can be undone one at a time: weights of a table for true ones,
+transfer interpolated between vertices for transfer at the point itself, few bands for many, no bounces, no shadows.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from skylight_sh.mesh import Mesh
+from skylight_sh.render.light_paths import Light, arriving, sunlight
+from skylight_sh.render.surface import Points, Surface, averaged
+from skylight_sh.transfer import Options, Transfer, bounced, gather, shadowed, unshadowed
+from skylight_sh.transfer.start_points import healing
+
+Array = NDArray[np.float64]
+
+# Of the vertices' own samples.
+_SUN, _SUN_CHUNK = 32, 4096
+_SEED = 1
+
+
+@dataclass(frozen=True)
+class Scene:
+    """A mesh with its transfer ``(v, 3, N*N)``, that without bounces ``direct`` ``(v, N*N)``, and what vertices send out.
+
+    ``sent`` ``(v, 3, N*N)`` is albedo times the transfer of all bounces but the last.
+    """
+
+    surface: Surface
+    options: Options
+    transfer: Transfer
+    sent: Array
+
+    @property
+    def vertices(self) -> Points:
+        """The vertices, where their rays start."""
+        mesh, count = self.surface.mesh, len(self.surface.mesh.positions)
+        itself, whole = np.repeat(np.arange(count)[:, np.newaxis], 3, axis=1), np.tile([1.0, 0.0, 0.0], (count, 1))
+        return Points(self.transfer.start.points, mesh.normals, mesh.normals, averaged(mesh), itself, whole)
+
+
+@dataclass(frozen=True)
+class Sky:
+    """A light with its SH weights ``(3, N*N)``: ``true`` ones, and others by name, which may have fewer bands."""
+
+    light: Light
+    true: Array
+    tables: Mapping[str, Array]
+
+
+def scene(surface: Surface, found: Transfer, options: Options) -> Scene:
+    """Return the scene of a mesh whose transfer was ``found`` with ``options``, colours of textures averaged."""
+    albedo = averaged(surface.mesh)
+    last = max(options.bounces - 1, 0)
+    sent = albedo[:, :, np.newaxis] * bounced(found.direct, albedo, found.matrix, last)
+    return Scene(surface, options, found, sent if options.bounces else np.zeros_like(sent))
+
+
+def plain(mesh: Mesh) -> Mesh:
+    """Return a mesh whose vertices have their textures' mean colours: what its transfer is computed with."""
+    return Mesh(mesh.positions, mesh.normals, averaged(mesh), mesh.triangles, mesh.part, mesh.parts, mesh.uv)
+
+
+def through_transfer(
+    on: Scene, points: Points, skies: Sequence[Sky], bands: Sequence[int], *, first: int
+) -> dict[str, Array]:
+    """Return irradiance / pi ``(skies, n, 3)`` at a chunk of ``points`` by name.
+
+    For each N of ``bands``, with the first table's weights: ``interreflected N``, the vertices' transfer interpolated,
+    ``shadowed N``, the same without bounces, and ``unshadowed N``, without shadows; with true weights ``points N``, transfer
+    computed at the point itself. With the middle number of bands, true weights: ``true``, the vertices' transfer, and
+    ``sampling``, half the difference of two halves of the rays at the points. And what weights are off by each table,
+    through the vertices' transfer, under the table's name.
+    """
+    options, surface = on.options, on.surface
+    middle = sorted(bands)[len(bands) // 2]
+    mixed, straight = points.interpolate(on.transfer.transfer), points.interpolate(on.transfer.direct)
+    starts = surface.starts(points)
+    known = {"seed": options.seed + _SEED, "first": first}
+    halves = shadowed(surface.rays, starts, points.normals, options.bands, count=options.rays, **known)
+    rows = gather(surface.mesh, surface.rays, starts, points.normals, count=options.gather_rays, **known)
+    back = (rows @ on.sent.reshape(len(on.sent), -1)).reshape(mixed.shape)
+    own = halves.mean(axis=0)[:, np.newaxis] + back
+    found = {}
+    table = [next(iter(sky.tables.values())) for sky in skies]
+    true, bare = [sky.true for sky in skies], unshadowed(points.normals, options.bands)
+    for n in bands:
+        found[f"interreflected {n}"] = _lit(mixed, table, n)
+        found[f"shadowed {n}"] = _lit(straight[:, np.newaxis], table, n)
+        found[f"unshadowed {n}"] = _lit(bare[:, np.newaxis], table, n)
+        found[f"points {n}"] = _lit(own, true, n)
+    found["true"] = _lit(mixed, true, middle)
+    for name in skies[0].tables:
+        found[name] = _lit(mixed, [_off(sky.tables[name], sky.true) for sky in skies], middle)
+    found["sampling"] = _lit(0.5 * (halves[0] - halves[1])[:, np.newaxis], true, middle)
+    return found
+
+
+def by_paths(on: Scene, points: Points, lights: Sequence[Light], *, count: int, first: int) -> dict[str, Array]:
+    """Return irradiance / pi ``(lights, n, 3)`` at a chunk of ``points`` by name, by ``count`` paths each.
+
+    ``unshadowed``, ``shadowed`` and ``interreflected``, straight sunlight left out, and that alone, ``sun``.
+    """
+    seed = on.options.seed + _SEED
+    found = arriving(on.surface, points, lights, bounces=on.options.bounces, count=count, seed=seed, first=first)
+    return {
+        "unshadowed": found.unshadowed,
+        "shadowed": found.bounced[:, 0],
+        "interreflected": found.bounced.sum(axis=1),
+        "sun": found.sun,
+    }
+
+
+def sun_sent_on(on: Scene, light: Light) -> Array:
+    """Return irradiance / pi ``(v, 3)`` at the vertices that other surfaces send on of the sun's disc, by ``matrix``."""
+    vertices = on.vertices
+    parts = [slice(start, start + _SUN_CHUNK) for start in range(0, len(vertices.positions), _SUN_CHUNK)]
+    straight = np.concatenate(
+        [
+            sunlight(on.surface, vertices.some(part), light, samples=_SUN, seed=on.options.seed, first=part.start)
+            for part in parts
+        ]
+    )
+    healed = healing(on.surface.mesh, on.transfer.start.buried) @ straight
+    every = bounced(healed, vertices.albedo, on.transfer.matrix, on.options.bounces)
+    # Of every colour of light in every colour of surface, those that belong together.
+    return np.asarray(np.einsum("vcc->vc", every) - healed)
+
+
+def _off(weights: Array, true: Array) -> Array:
+    bands = min(weights.shape[1], true.shape[1])
+    return weights[:, :bands] - true[:, :bands]
+
+
+def _lit(transfer: Array, weights: Sequence[Array], bands: int) -> Array:
+    """Return transfer ``(n, 3 or 1, N*N)`` times each of ``weights`` ``(3, M*M)``, ``(lights, n, 3)``, in so many bands."""
+    return np.stack(
+        [
+            np.einsum("pcw,cw->pc", np.broadcast_to(transfer, (len(transfer), 3, transfer.shape[2]))[..., :k], one[:, :k])
+            for one in weights
+            for k in [min(bands * bands, one.shape[1], transfer.shape[2])]
+        ]
+    )
