@@ -42,7 +42,7 @@ _GAP = 0.003
 _COURT, _NEAR = (-6.0 + _GAP, -13.6, 10.25, 3.9 - _GAP), (-6.0, -6.5, 6.5, 3.9)
 _AROUND = (-6.6, -13.6, 10.25, 8.1)
 _FAR = 300.0
-_PLAN = Arcade(west=-5.6, bays=5, width=3.1, front=4.2, depth=2.9, floor=0.15)
+_PLAN = Arcade(west=-5.6, bays=5, width=3.1, front=4.2, depth=2.9, floor=0.15, door=2)
 
 
 def courtyard(detail: float = 1.0) -> Mesh:
@@ -61,7 +61,7 @@ def courtyard(detail: float = 1.0) -> Mesh:
     add("arcade", "PLASTER", flat, _textures.plaster(0.08, 12))
     add("cornice", "PLASTER", _arcade.cornice(_PLAN, detail))
     add("roof", "TILES", _arcade.roof(_PLAN, detail))
-    frame, leaves = _arcade.door(_PLAN, 2, detail)
+    frame, leaves = _arcade.door(_PLAN, detail)
     add("door frame", "STONE", frame)
     add("door", "DOOR", leaves, _textures.boards(8, 3))
     places = _arcade.columns(_PLAN)
@@ -83,17 +83,18 @@ def courtyard(detail: float = 1.0) -> Mesh:
     add("terrace", "STONE", box((*walk[:2], _GAP), (*walk[2:], 0.15), 0.4 / detail, without="+z-z+y-x", finer=0.05))
     standing = [box_foot(x - 0.29, y - 0.29, x + 0.29, y + 0.29) for x, y in places]
     standing.append(box_foot(-6.1, _PLAN.front, _PLAN.west, _PLAN.back + 1.0))
+    standing.append(box_foot(_PLAN.west - 2.0, _PLAN.back - _GAP, _PLAN.east + 2.0, _PLAN.back + 1.0))
     standing += [box_foot(low, _PLAN.front, high, _PLAN.inner) for low, high in ends]
     add("terrace floor", "PAVING", floor(walk, 0.15, 0.5 / detail, standing), paving)
-    add("paving", "PAVING", floor(_COURT, 0.0, 0.42 / detail, feet, dense=_NEAR), paving)
+    add("paving", "PAVING", floor(_COURT, 0.0, 0.48 / detail, feet, dense=_NEAR), paving)
     add("earth", "EARTH", earth(_FAR, _AROUND))
     return assembled(named)
 
 
 def _wall(detail: float) -> Piece:
     """Return the wall, its rows dense at its foot and beneath the coping."""
-    rows = np.array([0.05, 0.16, 0.34, 0.62, 0.98, 1.4, 1.85, 2.3, 2.68, 2.94])
-    rows = np.interp(np.linspace(0.0, 9.0, max(4, round(10 * detail))), np.arange(10), rows)
+    rows = np.array([0.05, 0.16, 0.36, 0.7, 1.15, 1.65, 2.15, 2.6, 2.87, 3.0, 3.06])
+    rows = np.interp(np.linspace(0.0, 10.0, max(4, round(11 * detail))), np.arange(11), rows)
     face = [(-6.0, z) for z in (_GAP, *rows, 3.1)]
     places = np.concatenate([np.arange(-13.5, -6.0, 0.7 / detail), ticks(-6.0, 4.17, 0.36 / detail, 0.06)])
     return prism([*face, (-6.5, 3.1), (-6.5, _GAP)], places, "y").mapped((0.0, 1.0, 0.0), (0.0, 0.0, 1.0), 4.0)
@@ -105,7 +106,7 @@ def _coping(detail: float) -> Piece:
         *((-5.9, 3.1), (-5.9, 3.165), (-5.93, 3.185), (-6.06, 3.215), (-6.1, 3.27), (-6.17, 3.31), (-6.25, 3.325)),
         *((-6.33, 3.31), (-6.4, 3.27), (-6.44, 3.215), (-6.57, 3.185), (-6.6, 3.165), (-6.6, 3.1)),
     )
-    return prism(np.add(section, (0.0, _GAP)), np.linspace(-13.55, 4.17, max(4, round(16 * detail))), "y")
+    return prism(np.add(section, (0.0, _GAP)), np.linspace(-13.55, 4.17, max(4, round(13 * detail))), "y")
 
 
 __all__ = ["COLOURS", "ENTRANCE", "WALK", "View", "courtyard"]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from skylight_sh.mesh.courtyard._vault import HALF_PIER, SPRING, THICK, TOP, WALL, Arcade
+from skylight_sh.mesh.courtyard._vault import HALF_PIER, SPRING, THICK, TOP, WALL, Arcade, doorway
 from skylight_sh.mesh.shapes import Piece, box, joined, lathe, prism, sheet, strip
 
 Array = NDArray[np.float64]
@@ -36,12 +36,12 @@ def column(detail: float) -> Piece:
 def pier(low: float, high: float, plan: Arcade, detail: float) -> Piece:
     """Return a square pier between x = ``low`` and ``high``, with a foot and an impost, as tall as the columns."""
     half = 0.5 * THICK
-    heights = ((_GAP, 0.2, 0.03), (0.2 + _GAP, 2.35 - _GAP, 0.0), (2.35, SPRING - _GAP, 0.035))
+    heights = ((_GAP, 0.2, 0.03, 0.0), (0.2 + _GAP, 2.35 - _GAP, 0.0, 0.05), (2.35, SPRING - _GAP, 0.035, 0.0))
     middle = plan.front + half
     return joined(
         [
-            box((low + _GAP, middle - half - out, z0), (high + out, middle + half + out, z1), 0.5 / detail)
-            for z0, z1, out in heights
+            box((low + _GAP, middle - half - out, z0), (high + out, middle + half + out, z1), 0.6 / detail, finer=fine)
+            for z0, z1, out, fine in heights
         ]
     ).moved((0.0, 0.0, plan.floor))
 
@@ -62,7 +62,7 @@ def roof(plan: Arcade, detail: float) -> Piece:
     """Return a roof of pantiles that rises to the north, a closed solid."""
     low, high = plan.west - WALL - 0.05, plan.east + 0.2
     count = round((high - low) / 0.32)
-    fine = max(4, round(5 * detail))
+    fine = max(4, round(4 * detail))
     phase = np.arange(count * fine + 1) / fine
     x = low + (high - low) / count * phase
     # Rolls that are wider than the troughs between them.
@@ -92,17 +92,21 @@ def roof(plan: Arcade, detail: float) -> Piece:
     return joined(pieces).moved((0.0, 0.0, plan.floor))
 
 
-def door(plan: Arcade, bay: int, detail: float) -> tuple[Piece, Piece]:
-    """Return a door in the middle of a bay's back wall: its frame, and its leaves."""
-    x, y = plan.west + (bay + 0.5) * plan.width, plan.back
+def door(plan: Arcade, detail: float) -> tuple[Piece, Piece]:
+    """Return a door in the back wall: its frame, and its leaves."""
+    x, y = plan.west + (plan.door + 0.5) * plan.width, plan.back
+    half = doorway(plan, detail) - _GAP
+    inner = half - 0.13
+    size = 0.3 / detail
     frame = [
-        box((x - 0.7, y - 0.09, _GAP), (x - 0.55, y - _GAP, 2.2), 0.6 / detail),
-        box((x + 0.55, y - 0.09, _GAP), (x + 0.7, y - _GAP, 2.2), 0.6 / detail),
-        box((x - 0.74, y - 0.12, 2.2 + _GAP), (x + 0.74, y - _GAP, 2.4), 0.6 / detail),
+        box((x - half, y - 0.08, _GAP), (x - inner, y - _GAP, 2.25), size),
+        box((x + inner, y - 0.08, _GAP), (x + half, y - _GAP, 2.25), size),
+        box((x - half, y - 0.1, 2.25 + _GAP), (x + half, y - _GAP, 2.4), size),
     ]
-    leaves = box((x - 0.548, y - 0.03, 0.02), (x + 0.548, y - _GAP, 2.198), 0.4 / detail)
-    leaves = leaves.moved((-x, 0.0, 0.0)).mapped((1.0, 0.0, 0.0), (0.0, 0.0, 1.0), 1.1).moved((x, 0.0, 0.0))
-    return joined(frame).moved((0.0, 0.0, plan.floor)), leaves.moved((0.0, 0.0, plan.floor))
+    low, high = np.array([-inner + _GAP, -0.03, _GAP]), np.array([inner - _GAP, -_GAP, 2.25 - _GAP])
+    leaves = box(low, high, size, finer=0.06).mapped((1.0, 0.0, 0.0), (0.0, 0.0, 1.0), 2.0 * inner)
+    place = (0.0, 0.0, plan.floor)
+    return joined(frame).moved(place), leaves.moved((x, y, 0.0)).moved(place)
 
 
 __all__ = ["HALF_PIER", "column", "columns", "cornice", "door", "pier", "roof"]

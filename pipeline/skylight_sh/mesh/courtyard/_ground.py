@@ -17,7 +17,9 @@ Array = NDArray[np.float64]
 Area = tuple[float, float, float, float]
 
 # Rings of vertices about what stands on a floor, metres from its foot.
-_RINGS = (0.01, 0.05, 0.12, 0.25, 0.45)
+_RINGS: tuple[float, ...] = (0.01, 0.05, 0.12, 0.25, 0.45)
+# Metres: an edge that is a wall's.
+_LONG = 3.0
 
 
 @dataclass(frozen=True)
@@ -36,7 +38,8 @@ class Foot:
         for start, along, out, long, after in zip(
             self.outline, edge, outward, length, np.roll(outward, -1, axis=0), strict=True
         ):
-            steps = max(1, round(long / spacing))
+            # Along walls light changes slowly.
+            steps = max(1, round(long / (spacing if long < _LONG else 2.5 * spacing)))
             found.append(start + distance * out + np.arange(steps + 1)[:, np.newaxis] / steps * along)
             middle = out + after
             found.append((start + along + distance * middle / np.linalg.norm(middle))[np.newaxis])

@@ -58,11 +58,11 @@ def things(detail: float) -> list[Thing]:
     found = [
         Thing("pedestal", "STONE", pedestal(detail).moved((x, y, _GAP)), x, y, 1.45),
         Thing("sculpture", "OCHRE", sculpture(detail).moved((x, y, 1.285), turn=1.35)),
-        *_bench(-5.66, -2.5, detail),
+        *_bench(-5.3, -2.5, detail),
         _jar("blue jar", "GLAZE", 1.0, 3.0, -2.2, 26, detail),
-        _jar("clay jar", "CLAY", 0.9, -4.9, 2.75, 18, detail),
-        _jar("small jar", "MARBLE", 0.45, -4.1, 2.2, 14, detail),
-        _jar("far jar", "CLAY", 0.9, 6.4, 3.2, 14, detail),
+        _jar("clay jar", "CLAY", 0.9, -4.9, 2.75, 16, detail),
+        _jar("small jar", "MARBLE", 0.45, -4.1, 2.2, 12, detail),
+        _jar("far jar", "CLAY", 0.9, 6.4, 3.2, 12, detail),
     ]
     for i, (px, py, seed) in enumerate(((0.9, 3.2, 1), (-5.35, 1.1, 2))):
         found.append(Thing(f"pot {i + 1}", "CLAY", lathe(_POT, _count(16, detail)).moved((px, py, _GAP)), px, py, 0.2))
@@ -85,19 +85,19 @@ def pedestal(detail: float) -> Piece:
     for i in range(3):
         profile += [(1.45 - _TREAD * i + out, 0.155 * i + up) for out, up in _STEP]
     profile += [(radius, 0.465 + up) for radius, up in _DRUM]
-    return lathe(profile, _count(36, detail))
+    return lathe(profile, _count(33, detail))
 
 
 def sculpture(detail: float) -> Piece:
     """Return a ring of a squarish section that turns about itself once on its way around, thickest at its foot."""
-    count, around = _count(84, detail), 4 * max(2, round(5 * detail))
+    count, around = _count(80, detail), 4 * max(2, round(6 * detail))
     angle = 2.0 * np.pi * np.arange(count) / count
     path = np.stack([0.6 * np.sin(angle), 0.1 * np.sin(2.0 * angle), -0.78 * np.cos(angle)], axis=-1)
 
     def outline(places: Array) -> Array:
         turn = 2.0 * np.pi * np.arange(around) / around
         # A square with hollow sides and round edges.
-        radius = 0.235 * (1.0 - 0.2 * np.cos(4.0 * turn) + 0.035 * np.cos(8.0 * turn))
+        radius = 0.235 * (1.0 - 0.17 * np.cos(4.0 * turn) + 0.03 * np.cos(8.0 * turn))
         swell = 1.0 + 0.3 * np.cos(2.0 * np.pi * places)
         angles = turn + 2.0 * np.pi * places[:, np.newaxis] + 0.2
         return np.asarray(
@@ -126,7 +126,7 @@ def _bench(x: float, y: float, detail: float) -> list[Thing]:
     found = [Thing("seat", "MARBLE", prism(np.add(section, (x, 0.0)), places, "y"))]
     for i, at in enumerate((y - 0.75, y + 0.75)):
         sides = (x - 0.14, at - 0.13, x + 0.2, at + 0.13)
-        leg = box((*sides[:2], _GAP), (*sides[2:], 0.415 - _GAP), 0.2 / detail)
+        leg = box((*sides[:2], _GAP), (*sides[2:], 0.415 - _GAP), 0.2 / detail, finer=0.05)
         found.append(Thing(f"leg {i + 1}", "MARBLE", leg, sides=sides))
     return found
 
@@ -138,7 +138,7 @@ def _agave(seed: int, detail: float) -> Piece:
         ring = i / 16
         length = 0.36 + 0.2 * (1.0 - abs(ring - 0.45)) + random.uniform(-0.03, 0.03)
         lift, around = 0.35 + 1.05 * ring + random.uniform(-0.06, 0.06), 2.39996 * i + random.uniform(-0.1, 0.1)
-        leaf = blade(length, 0.055, 0.014, lift=lift, droop=0.75 * (1.0 - ring) + 0.1, rows=max(4, round(6 * detail)))
+        leaf = blade(length, 0.055, 0.014, lift=lift, droop=0.75 * (1.0 - ring) + 0.1, rows=max(4, round(5 * detail)))
         reach = 0.03 + 0.02 * (1.0 - ring)
         leaves.append(leaf.moved((reach * np.cos(around), reach * np.sin(around), 0.012 * ring), turn=around))
     return joined(leaves)

@@ -13,6 +13,9 @@ Array = NDArray[np.float64]
 
 # Heights above the walk's floor.
 SPRING, TOP = 2.5, 4.35
+# Rows of vertices: beneath the cornice, which shades them; and of the walls up to the spring, dense at the floor.
+_FRIEZE = (4.0, 4.17, 4.27, 4.32, TOP)
+_HEIGHTS = (0.0, 0.05, 0.16, 0.4, 0.8, 1.3, 1.85, 2.403, SPRING)
 # How thick the arches' wall is, half as wide as an arch's foot, and how thick the other walls are.
 THICK, HALF_PIER, WALL = 0.5, 0.25, 0.4
 _SOUTH, _NORTH, _EAST, _WEST = (0.0, -1.0, 0.0), (0.0, 1.0, 0.0), (1.0, 0.0, 0.0), (-1.0, 0.0, 0.0)
@@ -23,7 +26,8 @@ _UP, _DOWN = (0.0, 0.0, 1.0), (0.0, 0.0, -1.0)
 class Arcade:
     """Bays of one ``width`` from ``west`` on, the arches' front at y = ``front``, the walk behind them ``depth`` deep.
 
-    It stands on a terrace of height ``floor``. Vaults are as wide as bays, arches narrower by their feet.
+    It stands on a terrace of height ``floor``; the back wall of bay ``door`` has a door. Vaults are as wide as bays, arches
+    narrower by their feet.
     """
 
     west: float
@@ -32,6 +36,7 @@ class Arcade:
     front: float
     depth: float
     floor: float
+    door: int
 
     @property
     def east(self) -> float:
@@ -56,12 +61,16 @@ class Arcade:
 
 def body(plan: Arcade, detail: float) -> Piece:
     """Return arches, vaults and walls, with 15 vertices around an arch at ``detail`` 1."""
-    steps = 2 * max(3, round(7 * detail))
+    steps = _steps(detail)
     pieces: list[Piece] = []
-    for west in plan.borders[:-1]:
-        pieces += [*_front(plan, west, steps), *_vault(plan, west, steps, detail), *_back(plan, west, steps, detail)]
+    for bay, west in enumerate(plan.borders[:-1]):
+        pieces += [*_front(plan, west, steps), *_vault(plan, west, steps, detail), *_back(plan, bay, steps, detail)]
     pieces += [*_west_end(plan, steps, detail), *_east_end(plan, steps, detail)]
     return joined(pieces).moved((0.0, 0.0, plan.floor))
+
+
+def _steps(detail: float) -> int:
+    return 2 * max(3, round(7 * detail))
 
 
 def _angles(steps: int) -> Array:
@@ -76,8 +85,8 @@ def _arch(middle: float, half: float, y: float, steps: int) -> Array:
 
 
 def _outline(plan: Arcade, steps: int) -> Array:
-    """Return where rays from an arch's centre meet the outline of its bay's front, ``(steps + 1, 2)``."""
-    half, high = 0.5 * plan.width, TOP - SPRING
+    """Return where rays from an arch's centre meet the outline of its bay beneath the frieze, ``(steps + 1, 2)``."""
+    half, high = 0.5 * plan.width, _FRIEZE[0] - SPRING
     sin, cos = np.sin(_angles(steps)), np.maximum(np.cos(_angles(steps)), 0.0)
     reach = np.minimum(half / np.maximum(np.abs(sin), 1e-12), high / np.maximum(cos, 1e-12))
     points = np.stack([reach * sin, reach * cos], axis=-1)
@@ -90,7 +99,8 @@ def _outline(plan: Arcade, steps: int) -> Array:
 def _side(plan: Arcade, steps: int) -> Array:
     """Return the heights above the spring of the vertices where two bays' fronts meet."""
     outline = _outline(plan, steps)
-    return np.asarray(outline[outline[:, 0] < -0.5 * plan.width + 1e-9, 1])
+    below = outline[outline[:, 0] < -0.5 * plan.width + 1e-9, 1]
+    return np.concatenate([below, np.array(_FRIEZE[1:]) - SPRING])
 
 
 def _front(plan: Arcade, west: float, steps: int) -> list[Piece]:
@@ -105,13 +115,15 @@ def _front(plan: Arcade, west: float, steps: int) -> list[Piece]:
         one + share * (outer - one),
         one + np.array([0.0, 0.3, 0.7, 1.0])[:, np.newaxis, np.newaxis] * (other - one),
     )
-    top = outer[outer[:, 2] > TOP - 1e-9]
+    lowest = outer[outer[:, 2] > _FRIEZE[0] - 1e-9]
+    frieze = np.stack([lowest * [1.0, 1.0, 0.0] + [0.0, 0.0, z] for z in _FRIEZE])
     rear = np.array([[west, plan.back + WALL, TOP], [west + plan.width, plan.back + WALL, TOP]])
     pieces = [
         sheet(face).towards(_SOUTH),
+        sheet(frieze).towards(_SOUTH),
         sheet(under).towards(_DOWN),
         strip(other, _arch(middle, half, plan.inner, steps)).towards(_NORTH),
-        strip(top, rear).towards(_UP),
+        strip(frieze[-1], rear).towards(_UP),
     ]
     for end, x in ((0, west), (-1, west + plan.width)):
         rim = np.concatenate([face[::-1, end], under[1:, end], [[x, plan.inner, SPRING]]])
@@ -136,23 +148,50 @@ def _vault(plan: Arcade, west: float, steps: int, detail: float) -> list[Piece]:
     return webs
 
 
-def _rows(detail: float) -> Array:
-    """Return shares of a wall's height, dense at its foot."""
-    return np.linspace(0.0, 1.0, max(4, round(8 * detail)) + 1) ** 1.4
+def heights(detail: float) -> Array:
+    """Return the heights of a wall's rows up to the spring."""
+    count = max(4, round(8 * detail))
+    found = np.interp(np.linspace(0.0, 8.0, count + 1), np.arange(9), _HEIGHTS)
+    found[-2] = _HEIGHTS[-2]
+    return found
 
 
-def _back(plan: Arcade, west: float, steps: int, detail: float) -> list[Piece]:
+def _wall(upper: Array, detail: float) -> list[Piece]:
+    """Return a wall up to the spring, and up to the line ``upper`` above it."""
+    level = upper * [1.0, 1.0, 0.0]
+    share = np.array([0.0, 0.4, 0.8, 1.0])[:, np.newaxis, np.newaxis]
+    spring = np.add(level, (0.0, 0.0, SPRING))
+    lower = np.stack([np.add(level, (0.0, 0.0, z)) for z in heights(detail)])
+    return [sheet(lower), sheet(spring + share * (upper - spring))]
+
+
+def doorway(plan: Arcade, detail: float) -> float:
+    """Return half the width that a door with its frame may have: a column of the wall's vertices is there."""
+    across = 0.5 * plan.width * np.sin(_angles(_steps(detail)))
+    return float(across[across > 0.55][0])
+
+
+def _around_door(upper: Array, plan: Arcade, detail: float) -> list[Piece]:
+    """Return a wall like ``_wall``, where what a door hides is a piece of its own, whose darkness stays there."""
+    middle = 0.5 * (upper[0, 0] + upper[-1, 0])
+    inside = np.flatnonzero(np.abs(upper[:, 0] - middle) < doorway(plan, detail) + 1e-6)
+    first, last = int(inside[0]), int(inside[-1])
+    rows = heights(detail)
+    lower = np.stack([np.add(upper * [1.0, 1.0, 0.0], (0.0, 0.0, z)) for z in rows])
+    door = lower[:-1, first : last + 1]
+    rim = np.concatenate([door[0], door[1:, -1], door[-1, -2::-1], door[-2:0:-1, 0]])
+    _, above = _wall(upper, detail)
+    return [sheet(lower[:, : first + 1]), sheet(lower[:, last:]), sheet(lower[-2:, first : last + 1]), disc(rim), above]
+
+
+def _back(plan: Arcade, bay: int, steps: int, detail: float) -> list[Piece]:
     """Return a bay's back wall: its inner face up to the vault, its outer face, its foot."""
-    half = 0.5 * plan.width
+    half, west = 0.5 * plan.width, plan.borders[bay]
     upper = _arch(west + half, half, plan.back, steps)
-    lower = upper * [1.0, 1.0, 0.0]
-    share = _rows(detail)[:, np.newaxis, np.newaxis]
     far = np.array([[[x, plan.back + WALL, z] for x in (west, west + plan.width)] for z in (0.0, SPRING, TOP)])
-    return [
-        sheet(lower + share * (upper - lower)).towards(_SOUTH),
-        sheet(far).towards(_NORTH),
-        strip(lower, far[0]).towards(_DOWN),
-    ]
+    wall = _around_door(upper, plan, detail) if bay == plan.door else _wall(upper, detail)
+    inner = [piece.towards(_SOUTH) for piece in wall]
+    return [*inner, sheet(far).towards(_NORTH), strip(upper * [1.0, 1.0, 0.0], far[0]).towards(_DOWN)]
 
 
 def _profile(plan: Arcade, x: float, steps: int) -> Array:
@@ -166,11 +205,10 @@ def _west_end(plan: Arcade, steps: int, detail: float) -> list[Piece]:
     """Return the wall at the western end, with its front beside the first arch."""
     upper = _profile(plan, plan.west, steps)
     lower = upper * [1.0, 1.0, 0.0]
-    share = _rows(detail)[:, np.newaxis, np.newaxis]
     x, y = (plan.west - WALL, plan.west), (plan.front, plan.back + WALL)
-    low, high = SPRING * _rows(detail), SPRING + _side(plan, steps)
-    heights = np.concatenate([low, high[1:]])
-    front = np.array([[[at, y[0], z] for at in x] for z in heights])
+    low, high = heights(detail), SPRING + _side(plan, steps)
+    rows = np.concatenate([low, high[1:]])
+    front = np.array([[[at, y[0], z] for at in x] for z in rows])
     outside = np.array([[x[0], y[1], z] for z in (0.0, SPRING, TOP)])
     # Beside the arches' thickness the wall's inner face goes on to the front.
     jamb = np.array([[[x[1], at, z] for at in (y[0], plan.inner)] for z in low])
@@ -178,9 +216,9 @@ def _west_end(plan: Arcade, steps: int, detail: float) -> list[Piece]:
     top = np.array([[at, v, TOP] for v in y for at in x]).reshape(2, 2, 3)
     rear = np.array([[[at, y[1], z] for at in x] for z in (0.0, SPRING, TOP)])
     inner_foot = np.array([[x[1], y[0], 0.0], *lower.tolist(), [x[1], y[1], 0.0]])
-    outer_front = np.array([[x[0], y[0], z] for z in heights])
+    outer_front = np.array([[x[0], y[0], z] for z in rows])
     return [
-        sheet(lower + share * (upper - lower)).towards(_EAST),
+        *(piece.towards(_EAST) for piece in _wall(upper, detail)),
         sheet(front).towards(_SOUTH),
         sheet(jamb).towards(_EAST),
         strip(outer_front, outside, (outer_front[:, 2], outside[:, 2])).towards(_WEST),
@@ -199,7 +237,7 @@ def _east_end(plan: Arcade, steps: int, detail: float) -> list[Piece]:
     # The outline's upper corners see the vault's halves up to its crown.
     turns = np.arctan2(outline[:, 1] - middle, outline[:, 2] - SPRING)
     turns[-2] = 0.0
-    beside = np.array([[x, plan.back, z] for z in SPRING * _rows(detail)])
+    beside = np.array([[x, plan.back, z] for z in heights(detail)])
     return [
         strip(curve, outline, (_angles(steps), turns)).towards(_EAST),
         strip(beside, np.array([[x, far, 0.0], [x, far, SPRING]])).towards(_EAST),
