@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import re
+import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -11,6 +13,7 @@ from conftest import ROOT
 from meshes import CUBE, QUADS, TRIANGLES, Gltf, cube_gltf, kinds, obj, ply, read, volume
 from skylight_sh import UserError, mesh
 from skylight_sh.mesh import orientation, polygons, topology
+from skylight_sh.mesh.formats import obj as obj_format
 from skylight_sh.mesh.formats import protocol
 
 SQUARE = np.array([[0.0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0]])
@@ -64,6 +67,12 @@ TOLD: dict[str, tuple[str, dict[str, int]]] = {
     "non-manifold edge": (obj(np.vstack([SQUARE, [[1.0, 1, 2]]]), [[0, 1, 2], [0, 2, 3], [0, 2, 4]]), {
         "non-manifold edge": 1, "open edge": 6,
     }),
+    # A ridge of three sides, one of them large, whose shared normal looks along the small one's back.
+    "slanted normals": (
+        obj(np.array([[0.0, 0, 0], [9, 0, 0], [9, 9, 0], [0, 9, 0], [0, 0, -1], [9, 0, -1]]), [])
+        + "vn 0 0.6 0.8\nvn 0 -1 0\nvn 0 0 1\nf 1//1 2//1 3//3\nf 1//1 3//3 4//3\nf 5//2 6//2 2//1\nf 5//2 2//1 1//1\n",
+        {"slanted normals": 2, "open edge": 6},
+    ),
     "y up": (obj(SQUARE[:, [0, 2, 1]] - [0, 0, 1], [[3, 2, 1, 0]]), {"up": 1, "open edge": 4}),
     "no material": ("usemtl red\n" + obj(CUBE, QUADS), {"no material": 1}),
     "no materials": ("mtllib lost.mtl\nusemtl red\n" + obj(CUBE, QUADS), {"no materials": 1}),
@@ -186,7 +195,7 @@ def test_files_that_cannot_be_read(tmp_path: Path) -> None:
 def test_more_vertices_than_memory_holds_are_refused_before_they_are_made(tmp_path: Path) -> None:
     made = cube_gltf()
     made.root["accessors"][0] = {"componentType": 5126, "type": "VEC3", "count": 1 << 40}
-    with pytest.raises(UserError, match=r"Should be at most 10,000,000"):
+    with pytest.raises(UserError, match=r"Should be at most 6,000,000"):
         read(tmp_path / "zeros.glb", made.glb())
     many = protocol.MOST_VERTICES // 8 + 1
     instanced = Gltf(nodes=[{"mesh": 0, "extensions": {"EXT_mesh_gpu_instancing": {"attributes": {"TRANSLATION": 2}}}}])
@@ -201,7 +210,7 @@ def test_more_vertices_than_memory_holds_are_refused_before_they_are_made(tmp_pa
         }
     ]
     instanced.root["accessors"].append({"componentType": 5126, "type": "VEC3", "count": many})
-    with pytest.raises(UserError, match=r"10,000,008 vertices. Should be at most 10,000,000"):
+    with pytest.raises(UserError, match=r"2,000,008 vertices. Should be at most 2,000,000"):
         read(tmp_path / "instances.glb", instanced.glb())
 
 
@@ -295,3 +304,26 @@ def test_every_kind_is_explained() -> None:
         assert f'"{kind}"' in source, kind
     for cases in (HEALED, TOLD):
         assert {kind for _, expected in cases.values() for kind in expected} <= explained
+
+
+def test_files_too_large_for_any_mesh_are_refused_unread(tmp_path: Path) -> None:
+    path = tmp_path / "sparse.ply"
+    with path.open("wb") as file:
+        file.truncate(1 << 32)
+    with pytest.raises(UserError, match=r"has 4,294,967,296 bytes. Should have at most"):
+        mesh.read(path)
+    text = "v 0 0 0\n" * 4 + "f 1 2 3 4\n" * ((1 << 18) + 8)
+    most, protocol_check = 1 << 18, obj_format.check_count
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(obj_format, "check_count", lambda count, noun: protocol_check(count, noun, most))
+        with pytest.raises(UserError, match=r"triangles. Should be at most 262,144"):
+            read(tmp_path / "long.obj", text)
+
+
+def test_the_command_refuses_by_exit_code_2(tmp_path: Path) -> None:
+    (tmp_path / "bad.obj").write_text(obj(CUBE, [*QUADS, [0, 1, 99]]))
+    command = [sys.executable, "-m", "skylight_sh", "transfer", "bad.obj", "--output", "bad.h5"]
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert done.returncode == 2
+    assert "bad.obj: part 'bad': 1 indices out of range" in done.stderr
+    assert not (tmp_path / "bad.h5").exists()

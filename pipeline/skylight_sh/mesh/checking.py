@@ -22,9 +22,9 @@ _CHUNK = 4096
 
 
 def check(mesh: Mesh) -> Findings:
-    """Return what is unusual: open edges, T-junctions, edges of more than two triangles, and coincident triangles."""
+    """Return what is unusual: open edges, T-junctions, crowded edges, coincident triangles and slanted normals."""
     touching = topology(mesh)
-    return (*open_edges(mesh, touching), *crowded_edges(mesh, touching), *coincident(mesh))
+    return (*open_edges(mesh, touching), *crowded_edges(mesh, touching), *coincident(mesh), *slanted(mesh))
 
 
 def open_edges(mesh: Mesh, touching: Topology) -> Findings:
@@ -59,6 +59,15 @@ def coincident(mesh: Mesh) -> Findings:
     names = [part.name for part in mesh.parts]
     noun = "triangle/triangles that coincide with another one"
     return by_part(names, mesh.part[shared], "coincident", noun, "so that chance decides which one is seen", healed=False)
+
+
+def slanted(mesh: Mesh) -> Findings:
+    """Count triangles that have a corner whose normal is on their back, though it is on the front of those around it."""
+    behind = (np.einsum("ti,tki->tk", mesh.facing, mesh.normals[mesh.triangles]) < 0.0).any(axis=-1)
+    names = [part.name for part in mesh.parts]
+    noun = "triangle/triangles with a normal on the back"
+    done = "where shading and shape disagree; a crease may want to be split"
+    return by_part(names, mesh.part[behind], "slanted normals", noun, done, healed=False)
 
 
 def _on_edges(mesh: Mesh, touching: Topology, start: Index, end: Index, part: Index) -> Index:

@@ -13,6 +13,9 @@ from skylight_sh.mesh.findings import Finding
 from skylight_sh.mesh.formats import FORMATS
 from skylight_sh.mesh.formats.protocol import Up
 
+# More than any mesh that is read takes, with its pictures.
+_MOST_BYTES = 1 << 31
+
 
 def files(path: Path) -> tuple[Path, ...]:
     """Return all files that ``read(path)`` draws on and that are there: its own first, then materials, data, pictures.
@@ -43,6 +46,10 @@ def read(path: Path, up: str | None = None) -> tuple[Mesh, tuple[Finding, ...]]:
         raise UserError(f"{path} has the ending {path.suffix!r}. Should be one of {known}. Export the mesh as one of these.")
     if not path.is_file():
         raise UserError(f"{path}: {'a folder' if path.is_dir() else 'no such file'}. Give the path of a mesh.")
+    if (size := path.stat().st_size) > _MOST_BYTES:
+        raise UserError(
+            f"{path} has {size:,} bytes. Should have at most {_MOST_BYTES:,}. Simplify the mesh, or its pictures."
+        )
     if up not in (None, *get_args(Up)):
         raise UserError(f"Invalid up axis {up!r}. Should be y or z.")
     chosen = FORMATS[ending]

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from skylight_sh import UserError
-from skylight_sh.mesh.formats.protocol import check_count
+from skylight_sh.mesh.formats.protocol import MOST_VERTICES, check_count
 
 Array = NDArray[np.float64]
 Index = NDArray[np.int64]
@@ -157,14 +157,15 @@ class Document:
                 f"{values.get('componentType')}. Should be of {' or '.join(map(str, widths))} components. {_ANEW}"
             )
         count = whole(values, "count")
-        check_count(count, "elements of an accessor")
+        # Three indices a triangle.
+        check_count(count, "elements of an accessor", 3 * MOST_VERTICES)
         found = np.zeros((count, width), kind)
         if "bufferView" in values:
             found = self._strided(values, kind, count, width)
         if "sparse" in values:
             sparse = inner(values, "sparse")
             places, some = inner(sparse, "indices"), whole(sparse, "count")
-            check_count(some, "elements of an accessor")
+            check_count(some, "elements of an accessor", 3 * MOST_VERTICES)
             at_kind = _KINDS.get(whole(places, "componentType"), "f4")
             at = self._strided(places, at_kind, some, 1)[:, 0]
             if at_kind == "f4" or (at >= count).any():

@@ -28,6 +28,9 @@ _CURVED = {
     *("parm", "trim", "hole", "scrv", "sp", "end", "con"),
 }
 
+# Lines after which their numbers are looked at.
+_LOOK = 1 << 18
+
 
 @dataclass
 class _Faces:
@@ -62,13 +65,15 @@ def read(path: Path) -> Content:
     lines = _Lines()
     with path.open(encoding="utf-8", errors="replace") as file:
         for number, words in _statements(file):
+            if number % _LOOK == 0:
+                _check_counts(lines)
             try:
                 _take(lines, words)
             except (ValueError, IndexError) as error:
                 raise UserError(f"line {number} cannot be read: {' '.join(words)[:60]!r}. Export it anew.") from error
             except UserError as error:
                 raise UserError(f"line {number}: {error}") from error
-    check_count(max(len(lines.positions) // 3, sum(len(faces.corners) for faces in lines.faces.values()) // 3), "vertices")
+    _check_counts(lines)
     materials, findings = mtl.read([path.parent / name for name in lines.libraries])
     names = _names(list(lines.faces), path.stem)
     surfaces, shelf = [], pictures.Shelf()
@@ -86,6 +91,11 @@ def read(path: Path) -> Content:
     few = [i for i, faces in enumerate(lines.faces.values()) for count in faces.counts if count < 3]
     findings += by_part(names, few, "few corners", "face/faces of fewer than 3 corners", "left out", healed=True)
     return Content(tuple(surfaces), (*findings, *shelf.findings))
+
+
+def _check_counts(lines: _Lines) -> None:
+    check_count(len(lines.positions) // 3, "vertices")
+    check_count(sum(len(faces.corners) - 2 * len(faces.counts) for faces in lines.faces.values()), "triangles")
 
 
 def _statements(file: Iterable[str]) -> Iterator[tuple[int, list[str]]]:
