@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -42,12 +43,12 @@ class Mesh:
     parts: tuple[Part, ...]
     uv: Array
 
-    @property
+    @cached_property
     def corners(self) -> Array:
         """The triangles' corners, ``(t, 3, 3)``: triangle, corner, coordinate."""
         return self.positions[self.triangles]
 
-    @property
+    @cached_property
     def facing(self) -> Array:
         """The triangles' own unit normals, ``(t, 3)``."""
         a, b, c = np.moveaxis(self.corners, 1, 0)

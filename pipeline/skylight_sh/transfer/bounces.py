@@ -22,7 +22,8 @@ def gather(mesh: Mesh, rays: Rays, points: Array, normals: Array, *, count: int,
     meet, interpolated within triangles. What is met from behind sends nothing.
     """
     random = generator(seed, _PURPOSE, first)
-    local = cosine_fibonacci(count, start=random.random(), spin=2.0 * np.pi * random.random())
+    # Not shifted along its spiral: a shift moves all of the lattice outwards or inwards, by up to half a ray's share.
+    local = cosine_fibonacci(count, spin=2.0 * np.pi * random.random())
     turned = frames(normals, 2.0 * np.pi * random.random(len(points)))
     along = (local @ turned.transpose(0, 2, 1)).reshape(-1, 3)
     hits = rays.nearest(np.repeat(points, count, axis=0), along)

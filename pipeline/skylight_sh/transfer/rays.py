@@ -74,12 +74,16 @@ class Rays:
         found = self._scene.run(*self._started(origins, directions, near), query="OCCLUDED")
         return np.asarray(found) >= 0
 
+    def first(self, origins: Array, directions: Array, near: float = 0.0) -> Index:
+        """Return the triangle ``(n,)`` that each ray meets first, as ``nearest`` takes them; -1 where it meets nothing."""
+        return np.asarray(self._scene.run(*self._started(origins, directions, near), query="INTERSECT"), dtype=np.int64)
+
     def nearest(self, origins: Array, directions: Array, near: float = 0.0) -> Hits:
         """Return where rays from ``origins`` ``(n, 3)`` along unit ``directions`` ``(n, 3)`` first meet the mesh.
 
         What is nearer than ``near``, in the mesh's unit, does not count.
         """
-        triangle = np.asarray(self._scene.run(*self._started(origins, directions, near), query="INTERSECT"), dtype=np.int64)
+        triangle = self.first(origins, directions, near)
         u, v, distance = np.zeros(triangle.size), np.zeros(triangle.size), np.full(triangle.size, np.inf)
         met = triangle >= 0
         along = np.broadcast_to(directions, origins.shape)[met]

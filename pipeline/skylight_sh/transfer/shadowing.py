@@ -15,7 +15,7 @@ _PURPOSE = 1
 # Directions of a cell: as many rays go into it where the mesh's outline crosses it.
 _EACH = 4
 # Of all rays, those that look where outlines are; how many of the other half's cells a cell asks.
-_COARSE, _ABOUT = 0.6, 7
+_COARSE, _ABOUT = 0.7, 7
 # As many vertices at once as the caches hold rays of.
 _AT_ONCE = 64
 

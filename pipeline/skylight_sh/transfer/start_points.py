@@ -16,9 +16,11 @@ Array = NDArray[np.float64]
 Index = NDArray[np.int64]
 Bool = NDArray[np.bool_]
 
-# Of the way from a vertex to the middle of its triangle: off the edges that it shares with others.
-_INSIDE = 0.02
-# Of the mesh's size, above the surface: beyond what single precision loses.
+# Of the way from a vertex to the middle of its triangle: off the edges that it shares with others, and out of what lies so
+# near a contact line that interpolation would spread its shade over the whole triangle.
+_INSIDE = 0.2
+# Above the surface, of how far the vertex is from the mesh's middle and how large its triangle: what single precision loses,
+# and no more, since rays must not start beyond what touches the surface.
 _ABOVE = 2e-6
 _PROBES = 64
 _CHUNK = 4096
@@ -41,22 +43,25 @@ class StartPoints:
 
 
 def start_points(mesh: Mesh, rays: Rays, seed: int = 0) -> StartPoints:
-    """Return where the rays of each vertex start: 2 % inside a triangle of its own from which it sees few back faces.
+    """Return where the rays of each vertex start: 20 % of the way to the middle of a triangle of its own, just above it.
 
     A vertex where two solids meet lies on both; a step into its own triangles tells on which side it is. The largest
-    triangle is tried first, then the others, for those that still see the inside of something.
+    triangle is tried first, then the others, for those that still see a quarter of back faces: the inside of something.
     """
     own = _incident(mesh)
-    count = len(mesh.positions)
-    points = mesh.positions + mesh.normals * (_ABOVE * rays.size)
-    behind = np.ones(count)
+    corners, facing = mesh.corners, mesh.facing
+    middles = corners.mean(axis=1)
+    lost = _ABOVE * np.abs(mesh.positions - rays.centre).max(axis=1)
+    above = _ABOVE * np.abs(corners - middles[:, np.newaxis]).max(axis=(1, 2))
+    points = mesh.positions + mesh.normals * lost[:, np.newaxis]
+    behind = np.ones(len(points))
     for turn in range(own.shape[1]):
         to_try = np.flatnonzero((behind > _BURIED) & (own[:, turn] >= 0))
         if not to_try.size:
             continue
         triangles = own[to_try, turn]
-        middle = mesh.corners[triangles].mean(axis=1)
-        moved = (1.0 - _INSIDE) * mesh.positions[to_try] + _INSIDE * middle + _ABOVE * rays.size * mesh.facing[triangles]
+        height = (lost[to_try] + above[triangles])[:, np.newaxis]
+        moved = (1.0 - _INSIDE) * mesh.positions[to_try] + _INSIDE * middles[triangles] + height * facing[triangles]
         found = _behind(mesh, rays, moved, mesh.normals[to_try], seed)
         better = found < behind[to_try]
         points[to_try[better]], behind[to_try[better]] = moved[better], found[better]
@@ -111,7 +116,7 @@ def _behind(mesh: Mesh, rays: Rays, points: Array, normals: Array, seed: int) ->
     for part in chunks(len(points), _CHUNK):
         spins = 2.0 * np.pi * generator(seed, _PURPOSE, part.start).random(part.stop - part.start)
         along = (local @ frames(normals[part], spins).transpose(0, 2, 1)).reshape(-1, 3)
-        hits = rays.nearest(np.repeat(points[part], _PROBES, axis=0), along)
-        back = hits.met & (np.einsum("nk,nk->n", along, facing[hits.triangle]) > 0.0)
+        triangle = rays.first(np.repeat(points[part], _PROBES, axis=0), along)
+        back = (triangle >= 0) & (np.einsum("nk,nk->n", along, facing[triangle]) > 0.0)
         share[part] = back.reshape(-1, _PROBES).mean(axis=1)
     return share
