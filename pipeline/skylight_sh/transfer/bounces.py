@@ -8,11 +8,13 @@ from scipy import sparse
 
 from skylight_sh.mesh import Mesh
 from skylight_sh.transfer.rays import Rays
-from skylight_sh.transfer.sampling import cosine_fibonacci, frames, generator
+from skylight_sh.transfer.sampling import chunks, cosine_fibonacci, frames, generator
 
 Array = NDArray[np.float64]
 
 _PURPOSE = 2
+# As many rays at once as memory should hold.
+_AT_ONCE = 2**16
 
 
 def gather(mesh: Mesh, rays: Rays, points: Array, normals: Array, *, count: int, seed: int, first: int) -> sparse.csr_array:
@@ -25,7 +27,17 @@ def gather(mesh: Mesh, rays: Rays, points: Array, normals: Array, *, count: int,
     # Not shifted along its spiral: a shift moves all of the lattice outwards or inwards, by up to half a ray's share.
     local = cosine_fibonacci(count, spin=2.0 * np.pi * random.random())
     turned = frames(normals, 2.0 * np.pi * random.random(len(points)))
-    along = (local @ turned.transpose(0, 2, 1)).reshape(-1, 3)
+    rows = [
+        _rows(mesh, rays, points[some], local @ turned[some].transpose(0, 2, 1))
+        for some in chunks(len(points), max(1, _AT_ONCE // count))
+    ]
+    return sparse.csr_array(sparse.vstack(rows))
+
+
+def _rows(mesh: Mesh, rays: Rays, points: Array, directions: Array) -> sparse.csr_array:
+    """Return rows of the matrix for ``points`` ``(n, 3)``, each with rays along its ``directions`` ``(n, count, 3)``."""
+    count = directions.shape[1]
+    along = directions.reshape(-1, 3)
     hits = rays.nearest(np.repeat(points, count, axis=0), along)
     front = hits.met & (np.einsum("nk,nk->n", along, mesh.facing[hits.triangle]) < 0.0)
     row = np.repeat(np.arange(len(points)), count)[front]

@@ -7,17 +7,17 @@ from numpy.typing import NDArray
 
 from skylight_sh import sphere
 from skylight_sh.transfer.rays import Rays
-from skylight_sh.transfer.sampling import Cells, cells, frames, generator, nearest
+from skylight_sh.transfer.sampling import Cells, cells, chunks, frames, generator, nearest
 
 Array = NDArray[np.float64]
 
 _PURPOSE = 1
 # Directions of a cell: as many rays go into it where the mesh's outline crosses it.
-_EACH = 4
+_EACH = 3
 # Of all rays, those that look where outlines are; how many of the other half's cells a cell asks.
 _COARSE, _ABOUT = 0.7, 7
-# As many vertices at once as the caches hold rays of.
-_AT_ONCE = 64
+# As many rays at once as the caches hold.
+_AT_ONCE = 2**16
 
 
 def unshadowed(normals: Array, bands: int) -> Array:
@@ -48,8 +48,7 @@ def shadowed(rays: Rays, points: Array, normals: Array, bands: int, *, count: in
     turned = frames(normals, 2.0 * np.pi * random.random(len(points)))
     basis = [(sphere.basis(half.directions, bands) / len(half.directions)).astype(np.float32) for half in halves]
     found = np.empty((2, len(points), bands * bands))
-    for i in range(0, len(points), _AT_ONCE):
-        some = slice(i, i + _AT_ONCE)
+    for some in chunks(len(points), max(1, _AT_ONCE // count)):
         for half, seen in enumerate(_visible(rays, points[some], turned[some], halves)):
             found[half, some] = seen @ basis[half]
     return to_world(found, turned)
