@@ -13,6 +13,8 @@ from meshes import CUBE, QUADS, TRIANGLES, Gltf, cube_gltf, kinds, obj, ply, rea
 from numpy.typing import NDArray
 from skylight_sh import UserError, mesh
 from skylight_sh.mesh.findings import told
+from skylight_sh.run.mesh_source import MeshSource
+from skylight_sh.transfer.options import Options
 
 Array = NDArray[np.float64]
 
@@ -215,3 +217,13 @@ def test_damaged_files_are_refused_or_are_meshes(tmp_path: Path) -> None:
         if time.monotonic() > end and count > 200:
             break
     assert refused > 100
+
+
+def test_a_transfer_hangs_on_the_files_beside_its_mesh(tmp_path: Path) -> None:
+    (tmp_path / "a.mtl").write_text("newmtl x\nKd 0.1 0.1 0.1\n")
+    (tmp_path / "a.obj").write_text("mtllib a.mtl\nusemtl x\n" + obj(CUBE, QUADS))
+    source = MeshSource(tmp_path / "a.obj", Options())
+    before = source.parameters()
+    assert source.parameters() == before
+    (tmp_path / "a.mtl").write_text("newmtl x\nKd 0.9 0.9 0.9\n")
+    assert source.parameters() != before

@@ -37,6 +37,11 @@ def square(normal: str) -> str:
 HEALED: dict[str, tuple[str, dict[str, int]]] = {
     "zero area": (obj(CUBE, [*QUADS, [0, 1, 1], [0, 0, 0]]), {"zero area": 2}),
     "collinear": (obj(np.vstack([CUBE, [[0.5, 0, 0]]]), [*QUADS, [0, 1, 8]]), {"zero area": 1}),
+    "sliver": (obj(np.vstack([CUBE, [[0.3, 0.3, 0.3 + 1e-9]]]), [*QUADS, [0, 6, 8]]), {"zero area": 1}),
+    "speck": (
+        obj(np.vstack([CUBE, 0.5 + 1e-8 * CUBE[:4]]), [*QUADS, [8, 9, 10]]),
+        {"zero area": 1},
+    ),
     "duplicate faces": (obj(CUBE, [*TRIANGLES, TRIANGLES[0], np.roll(TRIANGLES[3], 1).tolist()]), {"duplicate": 2}),
     "unused vertices": (obj(np.vstack([CUBE, [[9.0, 9, 9], [np.nan, 0, np.inf]]]), QUADS), {"unused": 0}),
     "inverted": (boxes((1.0, 0.0, True)), {"inverted": 12}),
@@ -58,6 +63,13 @@ HEALED: dict[str, tuple[str, dict[str, int]]] = {
 }
 TOLD: dict[str, tuple[str, dict[str, int]]] = {
     "open box": (obj(CUBE, QUADS[1:]), {"open edge": 4}),
+    # A room without a floor: its volume is negative, and it is not closed.
+    "open and inward": (obj(CUBE, [face[::-1] for face in QUADS[1:]]), {"open edge": 4}),
+    "narrow but not flat": (obj(np.array([[0.0, 0, 0], [1, 0, 0], [0.5, 1e-5, 0]]), [[0, 1, 2]]), {"open edge": 3}),
+    "beside an edge": (
+        obj(np.vstack([SQUARE, [[1.0, -0.001, 0], [0, -1, 0], [2, -1, 0]]]), [[0, 1, 2, 3], [5, 6, 4]]),
+        {"open edge": 7},
+    ),
     "T-junction": (
         obj(np.vstack([SQUARE, [[1.0, 0, 0], [0, -1, 0], [2, -1, 0]]]), [[0, 1, 2, 3], [5, 4, 0], [5, 6, 4], [6, 1, 4]]),
         # The square's own open edge, and those below: four sides, and both halves of the edge that meets the square.
