@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from skylight_sh.mesh import Mesh
-from skylight_sh.mesh.courtyard import ENTRANCE, WALK, courtyard, views
+from skylight_sh.mesh import Mesh, studies, textures
+from skylight_sh.mesh.courtyard import courtyard, views
 
 # Floors, and what has one for its lid.
 OPEN = {"terrace", "terrace floor", "paving", "earth"}
@@ -115,7 +117,72 @@ def test_the_ground_reaches_the_horizon(mesh: Mesh) -> None:
     assert mesh.positions[:, 2].min() > -0.05
 
 
-@pytest.mark.parametrize("view", [ENTRANCE, WALK])
-def test_views_are_a_walkers(view: views.View) -> None:
+@pytest.mark.parametrize("view", [views.ENTRANCE, views.WALK, views.BENCH])
+def test_views_are_a_walkers(mesh: Mesh, view: views.View) -> None:
     assert view.eye[2] == pytest.approx(1.75, abs=0.2)
     assert 37.0 <= view.field <= 42.0
+    # Nothing stands in one's way.
+    near = mesh.positions[np.abs(mesh.positions[:, 2] - view.eye[2]) < 0.5] - view.eye
+    assert np.linalg.norm(near[:, :2], axis=1).min() > 0.4
+
+
+@pytest.mark.parametrize("make", [studies.wall_with_relief, studies.cavities, studies.hall])
+def test_studies_are_closed_solids_on_a_floor(make: Callable[[], Mesh]) -> None:
+    mesh = make()
+    for part in mesh.parts:
+        inside = unmatched(mesh, own(mesh, part.name)) == 0
+        assert inside == (part.name != "floor"), part.name
+        assert not inside or volume(mesh, own(mesh, part.name)) > 1e-3, part.name
+    agreement = np.einsum("tk,tck->tc", mesh.facing, mesh.normals[mesh.triangles])
+    assert agreement.min() > 0.3
+    assert mesh.positions[:, 2].min() == 0.0
+
+
+def test_a_ball_has_its_volume() -> None:
+    mesh = studies.cavities()
+    # 36 meridians and 21 bands lose this share of a sphere, to second order: 2 / 3 (pi / 36)^2 + (pi / 42)^2 / 2 or so.
+    assert volume(mesh, own(mesh, "blue ball")) == pytest.approx(4.0 / 3.0 * np.pi * 0.17**3, rel=0.02)
+
+
+def test_lamps_hang_clear() -> None:
+    mesh = studies.hall()
+    places = np.array(studies.LAMPS)
+    assert places.shape == (10, 3)
+    # No vertex nearer than a lamp's radius; flat faces are nowhere wider than their vertices' spacing.
+    away = np.linalg.norm(mesh.positions[:, np.newaxis] - places, axis=-1)
+    assert away.min() > 0.25
+
+
+def relief_slopes(relief: NDArray[np.float64]) -> NDArray[np.float64]:
+    return np.asarray(-relief[..., :2] / relief[..., 2:])
+
+
+def test_a_relief_has_the_slopes_of_its_height() -> None:
+    # A wave along u, three times in 2 m, and one along v, twice.
+    pixels, side, low = 256, 2.0, 0.003
+    u = (np.arange(pixels) + 0.5) / pixels * side
+    v = u[::-1, np.newaxis]
+    height = low * (np.sin(3.0 * np.pi * u) + np.sin(2.0 * np.pi * v))
+    slopes = relief_slopes(textures.relief(height, side))
+    expected = np.stack(np.broadcast_arrays(3.0 * np.cos(3.0 * np.pi * u), 2.0 * np.cos(2.0 * np.pi * v)), axis=-1)
+    assert np.abs(slopes - low * np.pi * expected).max() < 1e-4
+
+
+@pytest.mark.parametrize("make", [studies.wall_with_relief, courtyard])
+def test_reliefs_are_unit_normals_that_face_outwards(make: Callable[[], Mesh]) -> None:
+    wall = make().parts[0]
+    assert wall.relief is not None
+    assert np.abs(np.linalg.norm(wall.relief, axis=-1) - 1.0).max() < 1e-12
+    assert wall.relief[..., 2].min() > 0.1
+    # The mean slope of what repeats is none.
+    assert np.abs(relief_slopes(wall.relief).mean(axis=(0, 1))).max() < 1e-9
+
+
+def test_a_walls_texture_is_laid_on_along_its_tangents() -> None:
+    mesh = studies.wall_with_relief()
+    front = mesh.triangles[(mesh.part == 0) & (mesh.facing[:, 1] < -0.999)]
+    (a, b, c), (p, q, r) = (np.moveaxis(values[front], 1, 0) for values in (mesh.positions, mesh.uv))
+    # Areas on the wall and in the texture have one ratio and one sense.
+    flat = (q - p)[:, 0] * (r - p)[:, 1] - (q - p)[:, 1] * (r - p)[:, 0]
+    solid = -np.cross(b - a, c - a)[:, 1]
+    assert np.allclose(solid / flat, 1.2**2, rtol=1e-4)

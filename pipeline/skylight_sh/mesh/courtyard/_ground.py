@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import Delaunay
 
-from skylight_sh.mesh.courtyard._textures import PAVING_SIDE
 from skylight_sh.mesh.shapes import Piece
+from skylight_sh.mesh.textures import PAVING_SIDE
 
 Array = NDArray[np.float64]
 # West, south, east, north.

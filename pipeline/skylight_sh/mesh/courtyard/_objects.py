@@ -114,7 +114,8 @@ def _count(number: int, detail: float) -> int:
 
 def _jar(name: str, colour: str, size: float, x: float, y: float, around: int, detail: float) -> Thing:
     profile = np.array(_JAR) * size
-    return Thing(name, colour, lathe(profile, _count(around, detail)).moved((x, y, _GAP)), x, y, 0.2 * size)
+    jar = lathe(profile, _count(around, detail)).mapped((0.0, 0.0, 0.0), (0.0, 0.0, 1.0), 1.279 * size)
+    return Thing(name, colour, jar.moved((x, y, _GAP)), x, y, 0.2 * size)
 
 
 def _bench(x: float, y: float, detail: float) -> list[Thing]:
@@ -139,7 +140,7 @@ def _agave(seed: int, detail: float) -> Piece:
         length = 0.36 + 0.2 * (1.0 - abs(ring - 0.45)) + random.uniform(-0.03, 0.03)
         lift, around = 0.35 + 1.05 * ring + random.uniform(-0.06, 0.06), 2.39996 * i + random.uniform(-0.1, 0.1)
         leaf = blade(length, 0.055, 0.014, lift=lift, droop=0.75 * (1.0 - ring) + 0.1, rows=max(4, round(5 * detail)))
-        reach = 0.03 + 0.02 * (1.0 - ring)
+        reach = 0.1 * np.sqrt(1.0 - ring)
         leaves.append(leaf.moved((reach * np.cos(around), reach * np.sin(around), 0.012 * ring), turn=around))
     return joined(leaves)
 
@@ -151,8 +152,9 @@ def _cypress(high: float, wide: float, seed: int, detail: float) -> Piece:
     def ragged(azimuth: Array) -> Array:
         return np.asarray(1.0 + 0.1 * np.sin(3.0 * azimuth + phases[0]) + 0.07 * np.sin(5.0 * azimuth + phases[1]))
 
-    share = np.linspace(0.0, 1.0, _count(12, detail))
+    share = np.linspace(0.0, 1.0, _count(10, detail))
     radius = wide * np.sin(np.pi * share**0.62) ** 0.8 * (1.0 + 0.05 * np.sin(23.0 * share + phases[2]))
-    radius[0] = radius[-1] = 0.0
-    tree = lathe(np.stack([radius, 0.05 + (high - 0.05) * share], axis=-1), _count(12, detail), ragged)
-    return tree.mapped((0.7, 0.7, 0.0), (0.0, 0.0, 1.0), 1.5)
+    radius[-1] = 0.0
+    crown = np.stack([np.maximum(radius, 0.1 * (share < 0.5)), 0.4 + (high - 0.4) * share], axis=-1)
+    tree = lathe(np.concatenate([[[0.0, 0.0], [0.12, 0.0], [0.1, 0.3]], crown]), _count(12, detail), ragged)
+    return tree.mapped((1.0, 0.0, 0.0), (0.0, 0.0, 1.0), 1.5)

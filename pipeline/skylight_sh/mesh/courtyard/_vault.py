@@ -15,7 +15,9 @@ Array = NDArray[np.float64]
 SPRING, TOP = 2.5, 4.35
 # Rows of vertices: beneath the cornice, which shades them; and of the walls up to the spring, dense at the floor.
 _FRIEZE = (4.0, 4.17, 4.27, 4.32, TOP)
-_HEIGHTS = (0.0, 0.05, 0.16, 0.4, 0.8, 1.3, 1.85, 2.403, SPRING)
+# They start above the floor, which goes on beneath them.
+_FOOT = 0.003
+_HEIGHTS = (_FOOT, 0.05, 0.16, 0.4, 0.8, 1.3, 1.85, 2.403, SPRING)
 # How thick the arches' wall is, half as wide as an arch's foot, and how thick the other walls are.
 THICK, HALF_PIER, WALL = 0.5, 0.25, 0.4
 _SOUTH, _NORTH, _EAST, _WEST = (0.0, -1.0, 0.0), (0.0, 1.0, 0.0), (1.0, 0.0, 0.0), (-1.0, 0.0, 0.0)
@@ -148,6 +150,10 @@ def _vault(plan: Arcade, west: float, steps: int, detail: float) -> list[Piece]:
     return webs
 
 
+def _at_foot(line: Array) -> Array:
+    return np.add(line * [1.0, 1.0, 0.0], (0.0, 0.0, _FOOT))
+
+
 def heights(detail: float) -> Array:
     """Return the heights of a wall's rows up to the spring."""
     count = max(4, round(8 * detail))
@@ -188,10 +194,10 @@ def _back(plan: Arcade, bay: int, steps: int, detail: float) -> list[Piece]:
     """Return a bay's back wall: its inner face up to the vault, its outer face, its foot."""
     half, west = 0.5 * plan.width, plan.borders[bay]
     upper = _arch(west + half, half, plan.back, steps)
-    far = np.array([[[x, plan.back + WALL, z] for x in (west, west + plan.width)] for z in (0.0, SPRING, TOP)])
+    far = np.array([[[x, plan.back + WALL, z] for x in (west, west + plan.width)] for z in (_FOOT, SPRING, TOP)])
     wall = _around_door(upper, plan, detail) if bay == plan.door else _wall(upper, detail)
     inner = [piece.towards(_SOUTH) for piece in wall]
-    return [*inner, sheet(far).towards(_NORTH), strip(upper * [1.0, 1.0, 0.0], far[0]).towards(_DOWN)]
+    return [*inner, sheet(far).towards(_NORTH), strip(_at_foot(upper), far[0]).towards(_DOWN)]
 
 
 def _profile(plan: Arcade, x: float, steps: int) -> Array:
@@ -204,18 +210,18 @@ def _profile(plan: Arcade, x: float, steps: int) -> Array:
 def _west_end(plan: Arcade, steps: int, detail: float) -> list[Piece]:
     """Return the wall at the western end, with its front beside the first arch."""
     upper = _profile(plan, plan.west, steps)
-    lower = upper * [1.0, 1.0, 0.0]
+    lower = _at_foot(upper)
     x, y = (plan.west - WALL, plan.west), (plan.front, plan.back + WALL)
     low, high = heights(detail), SPRING + _side(plan, steps)
     rows = np.concatenate([low, high[1:]])
     front = np.array([[[at, y[0], z] for at in x] for z in rows])
-    outside = np.array([[x[0], y[1], z] for z in (0.0, SPRING, TOP)])
+    outside = np.array([[x[0], y[1], z] for z in (_FOOT, SPRING, TOP)])
     # Beside the arches' thickness the wall's inner face goes on to the front.
     jamb = np.array([[[x[1], at, z] for at in (y[0], plan.inner)] for z in low])
-    foot = np.array([[at, v, 0.0] for v in y for at in x]).reshape(2, 2, 3)
+    foot = np.array([[at, v, _FOOT] for v in y for at in x]).reshape(2, 2, 3)
     top = np.array([[at, v, TOP] for v in y for at in x]).reshape(2, 2, 3)
-    rear = np.array([[[at, y[1], z] for at in x] for z in (0.0, SPRING, TOP)])
-    inner_foot = np.array([[x[1], y[0], 0.0], *lower.tolist(), [x[1], y[1], 0.0]])
+    rear = np.array([[[at, y[1], z] for at in x] for z in (_FOOT, SPRING, TOP)])
+    inner_foot = np.array([[x[1], y[0], _FOOT], *lower.tolist(), [x[1], y[1], _FOOT]])
     outer_front = np.array([[x[0], y[0], z] for z in rows])
     return [
         *(piece.towards(_EAST) for piece in _wall(upper, detail)),
@@ -240,7 +246,7 @@ def _east_end(plan: Arcade, steps: int, detail: float) -> list[Piece]:
     beside = np.array([[x, plan.back, z] for z in heights(detail)])
     return [
         strip(curve, outline, (_angles(steps), turns)).towards(_EAST),
-        strip(beside, np.array([[x, far, 0.0], [x, far, SPRING]])).towards(_EAST),
+        strip(beside, np.array([[x, far, _FOOT], [x, far, SPRING]])).towards(_EAST),
     ]
 
 

@@ -1,4 +1,4 @@
-"""Where pictures of the courtyard are taken from."""
+"""Where pictures of the courtyard are taken from, and where its sun stands."""
 
 from __future__ import annotations
 
@@ -14,8 +14,30 @@ class View:
     field: float
 
 
+@dataclass(frozen=True)
+class Hour:
+    """A view with a sun: ``height`` above the horizon and ``azimuth`` from +x (east) towards +y (north), in degrees."""
+
+    view: View
+    height: float
+    azimuth: float
+    turbidity: float = 3.0
+
+
 ENTRANCE = View(eye=(4.6, -7.6, 1.75), target=(-1.5, 1.0, 1.75), field=40.0)
 """The wall on the left, the sculpture on a third, the arcade leading to the right."""
 
-WALK = View(eye=(7.2, 6.3, 1.75), target=(-2.6, 2.0, 1.45), field=42.0)
-"""From beneath the arcade."""
+WALK = View(eye=(9.2, 6.1, 1.75), target=(-2.0, 4.75, 1.95), field=42.0)
+"""From beneath the arcade along its columns, the court on the left."""
+
+BENCH = View(eye=(-5.2, -5.0, 1.75), target=(1.9, 3.2, 1.8), field=40.0)
+"""From beside the wall: the sculpture on the left, the arcade behind it, the blue jar on the right."""
+
+MORNING = Hour(ENTRANCE, 11.0, 10.0)
+"""A raking sun from the right: the arcade's corner, the ring and a cypress that is not seen lie on the wall as shadows."""
+
+NOON = Hour(ENTRANCE, 52.0, -75.0)
+"""The sun behind the camera, from the south."""
+
+SUNSET = Hour(BENCH, 7.0, 205.0)
+"""The sun beyond the wall, on the arches alone."""

@@ -1,6 +1,8 @@
-"""Textures made by formulas: slabs of paving, plaster, boards, and a wall's relief."""
+"""Textures and reliefs made by formulas: slabs of paving, plaster, boards, rings, leaves, bricks."""
 
 from __future__ import annotations
+
+from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,7 +28,7 @@ def slabs(seed: int = 5) -> Array:
         cuts = np.cumsum(random.uniform(0.45, 0.95, 14))
         cuts = cuts[cuts < PAVING_SIDE - 0.4] + random.uniform(0.0, 0.4)
         slab = np.searchsorted(cuts, place) % len(cuts)
-        tint = 0.46 * random.uniform(0.76, 1.12, (len(cuts), 1)) * (1.0 + random.uniform(-0.05, 0.05, (len(cuts), 3)))
+        tint = 0.44 * random.uniform(0.76, 1.12, (len(cuts), 1)) * (1.0 + random.uniform(-0.05, 0.05, (len(cuts), 3)))
         tint *= np.array([1.05, 0.99, 0.90])
         across = np.abs((place[:, np.newaxis] - cuts + 0.5 * PAVING_SIDE) % PAVING_SIDE - 0.5 * PAVING_SIDE).min(axis=1)
         here = (place >= row * _ROW) & (place < (row + 1) * _ROW)
@@ -52,6 +54,13 @@ def boards(count: int, seed: int, pixels: int = 256) -> Array:
     edge = np.minimum(place % 1.0, 1.0 - place % 1.0) / count
     line = tint * np.where(edge < 0.006, 0.35, 1.0) * (1.0 - 0.08 * random.random(pixels))
     return np.repeat(np.tile(line, (pixels, 1))[..., np.newaxis], 3, axis=2)
+
+
+def rings(bands: Sequence[tuple[float, float]], colour: Sequence[float], rows: int = 512) -> Array:
+    """Return white ``(rows, 1, 3)`` but for ``bands`` from one height to another, shares of the whole, in a ``colour``."""
+    height = 1.0 - (np.arange(rows) + 0.5) / rows
+    painted = np.any([(height > low) & (height < high) for low, high in bands], axis=0)
+    return np.where(painted[:, np.newaxis, np.newaxis], np.asarray(colour, dtype=float), np.ones(3))
 
 
 def leaves(seed: int, pixels: int = 128) -> Array:
