@@ -8,10 +8,11 @@ from numpy.typing import NDArray
 from skylight_sh.light import sun_disc
 from skylight_sh.light.preetham import Preetham
 from skylight_sh.mesh import Mesh, Part
+from skylight_sh.mesh.texels import averaged
 from skylight_sh.quadrature import sampling
 from skylight_sh.render import sensitivity
 from skylight_sh.render.light_paths import Light, arriving, sunlight
-from skylight_sh.render.surface import Points, Surface, averaged
+from skylight_sh.render.surface import Points, Surface
 from skylight_sh.sphere import Harmonics
 
 Array = NDArray[np.float64]
@@ -150,7 +151,10 @@ def test_textures_colour_points_and_their_mean_vertices() -> None:
     eyes = np.array([[-0.5, 0.5, 1.0], [0.5, 0.5, 1.0], [-0.5, -0.5, 1.0], [0.5, -0.5, 1.0]])
     points = looked_at(surface, eyes, np.tile([0.0, 0.0, -1.0], (4, 1)))
     assert points.albedo[:, 0] == pytest.approx(0.8 * np.array([0.1, 0.2, 0.3, 0.4]))
-    assert averaged(textured) == pytest.approx(0.8 * 0.25 * np.ones((4, 3)))
+    found = averaged(textured)
+    assert found.albedo.mean(axis=0) == pytest.approx(0.8 * 0.25 * np.ones(3), rel=0.02)
+    assert found.parts[0].texture is None
+    assert averaged(found).albedo == pytest.approx(found.albedo)
     assert points.interpolate(textured.positions) == pytest.approx(points.positions)
     # From below there is nothing.
     assert not len(looked_at(surface, eyes - np.array([0.0, 0.0, 2.0]), np.tile([0.0, 0.0, 1.0], (4, 1))).positions)

@@ -239,7 +239,7 @@ def test_transfer_and_paths_agree_where_bands_are_no_limit() -> None:
 
     surface = Surface(box())
     options = Options(7, 1024, 1024, 2, 3)
-    on = compared.scene(surface, precompute(compared.plain(surface.mesh), options), options)
+    on = compared.scene(surface, precompute(surface.mesh, options), options)
     view = View(surface, (0.3, -6.0, 3.0), (0.0, 0.0, 0.2), 35.0, width=16, height=9, side=1)
     # Nothing here looks below the horizon, where paths see black and the expansion does not.
     points = view.points.some(view.points.positions[:, 2] < 1e-6)
@@ -265,7 +265,7 @@ def test_the_suns_light_is_sent_on_alike() -> None:
     """By the matrix of transfer and by paths."""
     surface = Surface(box())
     options = Options(3, 64, 1024, 2, 3)
-    on = compared.scene(surface, precompute(compared.plain(surface.mesh), options), options)
+    on = compared.scene(surface, precompute(surface.mesh, options), options)
     towards = np.array([0.0, -0.6, 0.8])
     light = Light(np.zeros_like, towards, 0.005, np.full(3, 1e5))
     view = View(surface, (0.3, -6.0, 3.0), (0.0, 0.0, 0.2), 35.0, width=16, height=9, side=1)

@@ -58,6 +58,7 @@ def lightmap(
     from skylight_sh import lightmap as maps
     from skylight_sh import mesh as meshes
     from skylight_sh import runtime, sphere
+    from skylight_sh.mesh.texels import averaged
     from skylight_sh.store import atomic
     from skylight_sh.transfer import Options, Rays, precompute
 
@@ -80,7 +81,7 @@ def lightmap(
         raise UserError(f"{table} has {len(light)} channels, but surfaces have one colour or three. Give such a table.")
     texels = maps.chart(scene, part, rows, columns)
     made = precompute(scene, Options(bands=loaded.table.bands, rays=rays, bounces=bounces))
-    leaving = scene.albedo * np.sum(made.transfer * light, axis=-1)
+    leaving = averaged(scene).albedo * np.sum(made.transfer * light, axis=-1)
     arriving = maps.bake(
         scene,
         Rays(scene),

@@ -12,9 +12,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from skylight_sh.mesh import Mesh
+from skylight_sh.mesh.texels import averaged
 from skylight_sh.render.light_paths import Light, arriving, sunlight
-from skylight_sh.render.surface import Points, Surface, averaged
+from skylight_sh.render.surface import Points, Surface
 from skylight_sh.transfer import Options, Transfer, bounced, gather, shadowed, unshadowed
 from skylight_sh.transfer.start_points import healing
 
@@ -42,7 +42,7 @@ class Scene:
         """The vertices, where their rays start."""
         mesh, count = self.surface.mesh, len(self.surface.mesh.positions)
         itself, whole = np.repeat(np.arange(count)[:, np.newaxis], 3, axis=1), np.tile([1.0, 0.0, 0.0], (count, 1))
-        return Points(self.transfer.start.points, mesh.normals, mesh.normals, averaged(mesh), itself, whole)
+        return Points(self.transfer.start.points, mesh.normals, mesh.normals, averaged(mesh).albedo, itself, whole)
 
 
 @dataclass(frozen=True)
@@ -56,15 +56,10 @@ class Sky:
 
 def scene(surface: Surface, found: Transfer, options: Options) -> Scene:
     """Return the scene of a mesh whose transfer was ``found`` with ``options``, colours of textures averaged."""
-    albedo = averaged(surface.mesh)
+    albedo = averaged(surface.mesh).albedo
     last = max(options.bounces - 1, 0)
     sent = albedo[:, :, np.newaxis] * bounced(found.direct, albedo, found.matrix, last)
     return Scene(surface, options, found, sent if options.bounces else np.zeros_like(sent))
-
-
-def plain(mesh: Mesh) -> Mesh:
-    """Return a mesh whose vertices have their textures' mean colours: what its transfer is computed with."""
-    return Mesh(mesh.positions, mesh.normals, averaged(mesh), mesh.triangles, mesh.part, mesh.parts, mesh.uv)
 
 
 def through_transfer(

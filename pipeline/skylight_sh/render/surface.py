@@ -7,7 +7,7 @@ from dataclasses import dataclass, fields
 import numpy as np
 from numpy.typing import NDArray
 
-from skylight_sh.mesh import Mesh
+from skylight_sh.mesh import Mesh, texels
 from skylight_sh.transfer.rays import Hits, Rays
 
 Array = NDArray[np.float64]
@@ -59,7 +59,7 @@ class Surface:
             np.einsum("nk,nkc->nc", shares, values[corners]) for values in (mesh.positions, mesh.normals, mesh.albedo)
         )
         normals /= np.linalg.norm(normals, axis=-1, keepdims=True)
-        albedo *= _texture(mesh, triangle, np.einsum("nk,nkc->nc", shares, mesh.uv[corners]))
+        albedo *= texels.colours(mesh, triangle, np.einsum("nk,nkc->nc", shares, mesh.uv[corners]))
         return Points(positions, normals, self.facing[triangle], albedo, corners, shares), front
 
     def starts(self, points: Points) -> Array:
@@ -78,26 +78,3 @@ class Surface:
             depth = np.einsum("nk,nk->n", points.positions - mesh.positions[corner], mesh.normals[corner])
             moved -= (points.shares[:, k] * np.minimum(depth, 0.0))[:, np.newaxis] * mesh.normals[corner]
         return np.asarray(self.starts(points) + moved)
-
-
-def averaged(mesh: Mesh) -> Array:
-    """Return the vertices' albedo ``(v, 3)`` with textures, each as its mean colour: what bounces between vertices see."""
-    albedo = mesh.albedo.copy()
-    for k, part in enumerate(mesh.parts):
-        if part.texture is not None:
-            own = np.unique(mesh.triangles[mesh.part == k])
-            albedo[own] = mesh.albedo[own] * part.texture.reshape(-1, 3).mean(axis=0)
-    return albedo
-
-
-def _texture(mesh: Mesh, triangle: NDArray[np.int64], uv: Array) -> Array:
-    """Return the textures' colours ``(n, 3)``, of the nearest texel; they repeat, their first row at v = 1."""
-    colour = np.ones((len(triangle), 3))
-    for k, part in enumerate(mesh.parts):
-        if part.texture is not None:
-            own = mesh.part[triangle] == k
-            rows, columns = part.texture.shape[:2]
-            column = np.floor((uv[own, 0] % 1.0) * columns).astype(np.int64) % columns
-            row = np.floor((1.0 - uv[own, 1] % 1.0) * rows).astype(np.int64) % rows
-            colour[own] = part.texture[row, column]
-    return colour

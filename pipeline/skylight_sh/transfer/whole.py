@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
@@ -12,7 +12,8 @@ from numpy.typing import NDArray
 from scipy import sparse
 
 from skylight_sh import sphere
-from skylight_sh.mesh import Mesh, Part
+from skylight_sh.mesh import Mesh
+from skylight_sh.mesh.texels import averaged
 from skylight_sh.transfer.bounces import bounced, gather
 from skylight_sh.transfer.options import Options
 from skylight_sh.transfer.rays import Rays
@@ -31,7 +32,7 @@ CHUNK, BLOCK = 256, 1024
 
 @dataclass(frozen=True)
 class Setup:
-    """What every block needs."""
+    """What every block needs; textures are averaged into the albedo of ``mesh``."""
 
     mesh: Mesh
     rays: Rays
@@ -69,8 +70,7 @@ def precompute(mesh: Mesh, options: Options, mapper: Mapper | None = None) -> Tr
 
 def prepare(mesh: Mesh, options: Options) -> Setup:
     """Return what every block needs."""
-    # Textures are large, and nothing here looks at them.
-    mesh = replace(mesh, parts=tuple(Part(part.name) for part in mesh.parts))
+    mesh = averaged(mesh)
     rays = Rays(mesh)
     return Setup(mesh, rays, start_points(mesh, rays, options.seed), options)
 

@@ -11,10 +11,11 @@ from numpy.typing import NDArray
 from skylight_sh.config.scenes_schema import ScenesSection
 from skylight_sh.config.schema import Config
 from skylight_sh.mesh.courtyard import ENTRANCE, courtyard
+from skylight_sh.mesh.texels import averaged
 from skylight_sh.render import compared, tone
 from skylight_sh.render.compared import Scene, Sky
 from skylight_sh.render.light_paths import Light
-from skylight_sh.render.surface import Points, Surface, averaged
+from skylight_sh.render.surface import Points, Surface
 from skylight_sh.render.view import View
 from skylight_sh.run.executors import Advance, map_tasks
 from skylight_sh.run.plan import Inputs
@@ -48,11 +49,11 @@ def make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
         # Scenes stay in this process: they are large, and rays are the library's own.
         return map_tasks(function, items, executor="threads", workers=config.run.workers, advance=advance)
 
-    found = precompute(compared.plain(surface.mesh), options, mapped)
+    found = precompute(surface.mesh, options, mapped)
     lit = _light(asked, compared.scene(surface, found, options), view.points, skies, discs, mapped)
     pictures = _Compared(view).variables(skies, discs, lit)
     # What another step's wall receives from the rest of the courtyard.
-    leaving = averaged(surface.mesh) * np.einsum("vcw,cw->vc", found.transfer, skies[_MORNING].true)
+    leaving = averaged(surface.mesh).albedo * np.einsum("vcw,cw->vc", found.transfer, skies[_MORNING].true)
     variables = {**pictures, "leaving": Variable(("vertex", "channel"), leaving)}
     return Dataset(variables, {"vertices": len(found.direct), "transfer_error": found.error})
 
