@@ -90,7 +90,7 @@ def courtyard(detail: float = 1.0) -> Mesh:
             feet.append(box_foot(*thing.sides))
     paving = textures.slabs()
     walk = (-6.0 + _GAP, 3.9, _PLAN.east + 0.35, _PLAN.back - _GAP)
-    add("terrace", "STONE", box((*walk[:2], _GAP), (*walk[2:], 0.15), 0.7 / detail, without="+z-z+y-x", finer=0.05))
+    add("terrace", "STONE", box((*walk[:2], _GAP), (*walk[2:], 0.15), 0.7 / detail, without="+z-z+y", finer=0.05))
     standing = [box_foot(x - 0.29, y - 0.29, x + 0.29, y + 0.29) for x, y in places]
     standing.append(box_foot(-6.1, _PLAN.front, _PLAN.west, _PLAN.back + 1.0))
     standing.append(box_foot(_PLAN.west - 2.0, _PLAN.back, _PLAN.east + 2.0, _PLAN.back + 1.0))

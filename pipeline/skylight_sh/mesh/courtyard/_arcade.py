@@ -95,13 +95,14 @@ def roof(plan: Arcade, detail: float) -> Piece:
 def door(plan: Arcade, detail: float) -> tuple[Piece, Piece]:
     """Return a door in the back wall: its frame, and its leaves."""
     x, y = plan.west + (plan.door + 0.5) * plan.width, plan.back
-    half = doorway(plan, detail) - _GAP
+    half = doorway(plan, detail) + 0.001
     inner = half - 0.13
     size = 0.3 / detail
+    # So near the wall that one hardly sees between them.
     frame = [
-        box((x - half, y - 0.08, _GAP), (x - inner, y - _GAP, 2.25), size),
-        box((x + inner, y - 0.08, _GAP), (x + half, y - _GAP, 2.25), size),
-        box((x - half, y - 0.1, 2.25 + _GAP), (x + half, y - _GAP, 2.4), size),
+        box((x - half, y - 0.08, _GAP), (x - inner, y - 0.5 * _GAP, 2.25), size),
+        box((x + inner, y - 0.08, _GAP), (x + half, y - 0.5 * _GAP, 2.25), size),
+        box((x - half, y - 0.1, 2.25 + _GAP), (x + half, y - 0.5 * _GAP, 2.4), size),
     ]
     low, high = np.array([-inner + _GAP, -0.03, _GAP]), np.array([inner - _GAP, -_GAP, 2.25 - _GAP])
     leaves = box(low, high, size, finer=0.06).mapped((1.0, 0.0, 0.0), (0.0, 0.0, 1.0), 2.0 * inner)

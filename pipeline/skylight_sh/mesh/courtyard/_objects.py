@@ -57,7 +57,7 @@ def things(detail: float) -> list[Thing]:
     x, y = -1.75, 0.1
     found = [
         Thing("pedestal", "STONE", pedestal(detail).moved((x, y, _GAP)), x, y, 1.45),
-        Thing("sculpture", "OCHRE", sculpture(detail).moved((x, y, 1.285), turn=1.35)),
+        Thing("sculpture", "OCHRE", sculpture(detail).moved((x, y, 1.285), turn=1.42)),
         *_bench(-5.3, -2.5, detail),
         _jar("blue jar", "GLAZE", 1.0, 3.0, -2.2, 26, detail),
         _jar("clay jar", "CLAY", 0.9, -4.9, 2.75, 16, detail),
@@ -75,7 +75,9 @@ def things(detail: float) -> list[Thing]:
         (-10.6, 4.6, 8.6, 0.95),
     )
     for i, (px, py, high, wide) in enumerate(trees):
-        found.append(Thing(f"cypress {i + 1}", "CYPRESS", _cypress(high, wide, i, detail).moved((px, py, 0.0))))
+        found.append(
+            Thing(f"cypress {i + 1}", "CYPRESS", _cypress(high, wide, i, np.arctan2(-py, -px), detail).moved((px, py, 0.0)))
+        )
     return found
 
 
@@ -145,7 +147,8 @@ def _agave(seed: int, detail: float) -> Piece:
     return joined(leaves)
 
 
-def _cypress(high: float, wide: float, seed: int, detail: float) -> Piece:
+def _cypress(high: float, wide: float, seed: int, towards: float, detail: float) -> Piece:
+    """Return a tree whose texture is laid on from the azimuth ``towards``, from where it is seen."""
     random = np.random.default_rng(100 + seed)
     phases = random.uniform(0.0, 2.0 * np.pi, 3)
 
@@ -157,4 +160,4 @@ def _cypress(high: float, wide: float, seed: int, detail: float) -> Piece:
     radius[-1] = 0.0
     crown = np.stack([np.maximum(radius, 0.1 * (share < 0.5)), 0.4 + (high - 0.4) * share], axis=-1)
     tree = lathe(np.concatenate([[[0.0, 0.0], [0.12, 0.0], [0.1, 0.3]], crown]), _count(12, detail), ragged)
-    return tree.mapped((1.0, 0.0, 0.0), (0.0, 0.0, 1.0), 1.5)
+    return tree.mapped((-np.sin(towards), np.cos(towards), 0.0), (0.0, 0.0, 1.0), 1.5)

@@ -27,10 +27,10 @@ class Hour:
 ENTRANCE = View(eye=(4.6, -7.6, 1.75), target=(-1.5, 1.0, 1.75), field=40.0)
 """The wall on the left, the sculpture on a third, the arcade leading to the right."""
 
-WALK = View(eye=(9.2, 6.1, 1.75), target=(-2.0, 4.75, 1.95), field=42.0)
+WALK = View(eye=(8.6, 6.35, 1.75), target=(-2.0, 4.6, 1.95), field=42.0)
 """From beneath the arcade along its columns, the court on the left."""
 
-BENCH = View(eye=(-5.2, -5.0, 1.75), target=(1.9, 3.2, 1.8), field=40.0)
+BENCH = View(eye=(-5.3, -4.9, 1.75), target=(1.75, 3.2, 1.8), field=40.0)
 """From beside the wall: the sculpture on the left, the arcade behind it, the blue jar on the right."""
 
 MORNING = Hour(ENTRANCE, 11.0, 10.0)
