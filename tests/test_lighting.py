@@ -15,10 +15,15 @@ from conftest import SMALL, run_quietly
 from numpy.typing import NDArray
 from skylight_sh import runtime, sphere
 from skylight_sh.config import Config, parse
+from skylight_sh.mesh.courtyard import ENTRANCE, courtyard
 from skylight_sh.quadrature import parameter_points
+from skylight_sh.render.metrics import relative_rmse
+from skylight_sh.render.surface import Surface
+from skylight_sh.render.view import View
 from skylight_sh.run.stages import lighting as stage
 from skylight_sh.studies.lighting.__main__ import main
 from skylight_sh.table import lighting
+from skylight_sh.transfer import Options, precompute
 
 Array = NDArray[np.float64]
 
@@ -145,6 +150,39 @@ def test_the_light_itself_loses_nothing(scene: dict[str, Any]) -> None:
     assert found.bands.local.max() > 1e-3
 
 
+def test_what_a_picture_loses_is_what_rendering_it_twice_tells(made: tuple[Path, Config], under: lighting.Surfaces) -> None:
+    """A picture by the table and one by true weights, pixel by pixel, at a sun of the held-out sets."""
+    place, _ = made
+    table = runtime.read(place / "reports" / "small" / "export" / "skylight_sh.npz")
+    surface = Surface(courtyard(0.25))
+    transfer = precompute(surface.mesh, Options(4, 64, 16, 2)).transfer
+    view = View(surface, ENTRANCE.eye, ENTRANCE.target, ENTRANCE.field, width=96, height=54, side=1)
+    found = stage.of_picture(stage.picture_form(4), table, under)
+    for at in (0, 300):
+        errors = []
+        for azimuth in np.radians([20.0, 110.0, 200.0, 290.0]):
+            own = table.whole(table.evaluate(under.light.parameters[[at]]))[0].astype(np.float64)
+            pictures = [
+                view.points.albedo * view.points.interpolate(np.einsum("vcw,cw->vc", transfer, weights))
+                for weights in (sphere.rotate_azimuth(part, azimuth) for part in (own, under.whole[at][:, :16]))
+            ]
+            errors.append(relative_rmse(*pictures))
+        assert found[at] == pytest.approx(max(errors), rel=1e-6)
+
+
+@pytest.mark.parametrize(("scene", "channels"), [({"quantity": "irradiance"}, 3), ({"channels": "luminance"}, 1)])
+def test_pictures_of_other_tables(scene: dict[str, Any], channels: int, tmp_path: Path) -> None:
+    """Tables of irradiance and of luminance light pictures too, and lose about what E_mean says."""
+    config = small(**scene)
+    bare = config.model_copy(update={"report": config.report.model_copy(update={"figures": ()})})
+    run_quietly(bare, tmp_path)
+    table = runtime.read(tmp_path / "reports" / "small" / "export" / "skylight_sh.npz")
+    assert len(table.channels) == channels
+    found = stage.of_picture(np.tile(np.eye(16), (3, 1, 1)), table, stage.surfaces_of(config, quiet))
+    # All weights count alike in this picture: of the sky's own size, far above its least luminance.
+    assert 1e-5 < found.max() < 0.01
+
+
 def test_the_report_shows_it(made: tuple[Path, Config]) -> None:
     place, _ = made
     folder = place / "reports" / "small"
@@ -168,3 +206,5 @@ def test_the_study_writes_a_row_a_table(made: tuple[Path, Config], tmp_path: Pat
         # What is lost lies below what the published E_mean of other sets allows, a few per cent aside.
         assert float(row["half of the sets"]) <= float(row["irradiance"]) < 1.05 * float(row["E_mean allows"])
         assert float(row["of largest"]) < float(row["of least"])
+        # A picture loses no more than the worst of its surfaces' light would, several times over.
+        assert 0 < float(row["half of the sets, picture"]) <= float(row["picture"]) < float(row["E_mean"])

@@ -7,19 +7,26 @@ import dataclasses
 import numpy as np
 from numpy.typing import NDArray
 
+from skylight_sh import sphere
 from skylight_sh.config.schema import Config
 from skylight_sh.config.wanted import table_names
 from skylight_sh.fit.errors import Reference
 from skylight_sh.light import Fixed, Light, Luminance
+from skylight_sh.mesh.courtyard import ENTRANCE, courtyard
 from skylight_sh.quadrature import parameter_points, sampling
 from skylight_sh.quadrature.registry import suited
+from skylight_sh.render import sensitivity
+from skylight_sh.render.surface import Surface
+from skylight_sh.render.view import View
 from skylight_sh.run.executors import Advance, map_tasks
 from skylight_sh.run.from_config import read_table, reference
 from skylight_sh.run.plan import Inputs
+from skylight_sh.runtime import Table
 from skylight_sh.sphere import Harmonics
 from skylight_sh.store.dataset import Dataset, Variable
 from skylight_sh.table import lighting
 from skylight_sh.table.lighting import Lighting, Surfaces
+from skylight_sh.transfer import Options, precompute
 
 Array = NDArray[np.float64]
 
@@ -27,15 +34,20 @@ Array = NDArray[np.float64]
 _BANDS, _NODES = 32, 64
 _SETS, _EDGE, _SEED = 512, 32, 4_711
 _SETS_PER_TASK = 64
+# Of the picture: how fine the courtyard is, its rays, gather rays and bounces, pixels across, and suns in degrees.
+_DETAIL, _RAYS, _WIDTH = 0.25, (64, 16, 2), 96
+_AZIMUTHS = (20.0, 110.0, 200.0, 290.0)
 
 
 def make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
     """Measure every table."""
     on = surfaces_of(config, advance)
     found: dict[str, Variable] = {"sets": Variable(("set", "axis"), on.light.parameters)}
-    for name in table_names(config):
-        measured = lighting.measure(read_table(inputs["select"], f"tables/{name}"), on)
-        found |= {f"tables/{name}/{key}": Variable(("set",), values) for key, values in arrays(measured).items()}
+    tables = {name: read_table(inputs["select"], f"tables/{name}") for name in table_names(config)}
+    form = picture_form(max(table.bands for table in tables.values()))
+    for name, table in tables.items():
+        measured = arrays(lighting.measure(table, on)) | {"picture": of_picture(form, table, on)}
+        found |= {f"tables/{name}/{key}": Variable(("set",), values) for key, values in measured.items()}
     return Dataset(found, {"bands": _BANDS, "seed": _SEED})
 
 
@@ -49,6 +61,41 @@ def arrays(measured: Lighting) -> dict[str, Array]:
     return found if measured.bound is None else {**found, "bound": measured.bound}
 
 
+def picture_form(bands: int) -> Array:
+    """Return the form ``(3, N*N, N*N)`` of a picture of the courtyard through transfer (``render.sensitivity``).
+
+    Few vertices and rays do: what weights are off by is weighed alike, and no picture is looked at. Raises UserError without
+    the extra ``transfer``.
+    """
+    surface = Surface(courtyard(_DETAIL))
+    found = precompute(surface.mesh, Options(bands, *_RAYS))
+    view = View(surface, ENTRANCE.eye, ENTRANCE.target, ENTRANCE.field, width=_WIDTH, height=_WIDTH * 9 // 16, side=1)
+    return sensitivity.gram(view.points.interpolate(found.transfer), view.points.albedo)
+
+
+def of_picture(form: Array, table: Table, on: Surfaces) -> Array:
+    """Return the relative RMSE ``(sets,)`` of a picture by the table's weights, the sun in the worst of four azimuths.
+
+    Held against true weights of as many bands. A light of one channel lights what is green; a table of irradiance, which
+    transfer is not for, counts as the radiance that it comes from.
+    """
+    rebuilt = np.asarray(table.whole(table.evaluate(on.light.parameters)), dtype=np.float64)
+    true = on.whole[..., : table.bands**2]
+    if table.spec.windowed:
+        true = true * sphere.zonal_sinc(table.bands)
+    if table.spec.quantity == "irradiance":
+        # Odd degrees beyond the first are in no irradiance.
+        factors = sphere.clamped_cosine(table.bands)
+        kept = np.divide(1.0, factors, out=np.zeros_like(factors), where=factors != 0.0)
+        rebuilt, true = sphere.scale_degrees(rebuilt, kept), sphere.scale_degrees(true, kept)
+    seen = form if rebuilt.shape[1] == len(form) else form[1:2]
+    errors = [
+        sensitivity.relative_rmse(seen, *(sphere.rotate_azimuth(part, np.radians(turn)) for part in (rebuilt - true, true)))
+        for turn in _AZIMUTHS
+    ]
+    return np.asarray(np.max(errors, axis=0))
+
+
 def surfaces_of(config: Config, advance: Advance) -> Surfaces:
     """Return surfaces below the config's light, sampled as ``sample`` does."""
     return lighting.surfaces(sample(config, advance), config.source.luminance_row, config.scene.quantity)
@@ -57,7 +104,7 @@ def surfaces_of(config: Config, advance: Advance) -> Surfaces:
 def sample(config: Config, advance: Advance) -> Reference:
     """Sample the config's light for 32 bands: 512 scrambled Sobol sets, 32 on each edge of the ranges, and the corners."""
     light, names = _light(config), tuple(axis.name for axis in config.axes)
-    sets = parameter_points.held_out([axis.range for axis in config.axes], _SETS, _EDGE, _SEED)
+    sets = sets_of(config)
     harmonics = Harmonics(_BANDS, light.hints.mirrored)
     blocks = parameter_points.chunks(sets, sampling.peak_of(light, names), _SETS_PER_TASK)
     rule = suited(light, _BANDS)
@@ -69,6 +116,11 @@ def sample(config: Config, advance: Advance) -> Reference:
     for block, part in zip(blocks, results, strict=True):
         weights[block], least[block] = part.weights, part.least
     return reference(config, sets, weights, harmonics.degrees, least)
+
+
+def sets_of(config: Config) -> Array:
+    """Return the parameter sets ``(n, axes)`` that surfaces are looked at on."""
+    return parameter_points.held_out([axis.range for axis in config.axes], _SETS, _EDGE, _SEED)
 
 
 def _light(config: Config) -> Light:

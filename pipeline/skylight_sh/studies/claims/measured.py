@@ -19,8 +19,10 @@ from skylight_sh.probe import files
 from skylight_sh.quadrature import sampling
 from skylight_sh.report import panorama
 from skylight_sh.report import ringing as study
+from skylight_sh.run.stages.lighting import sets_of
 from skylight_sh.scene import clear_day as clear
 from skylight_sh.studies.claims import gradient, scene
+from skylight_sh.studies.lighting import study as lit
 
 Array = NDArray[np.float64]
 
@@ -50,6 +52,7 @@ def all_claims(root: Path, reference: Path) -> dict[str, Any]:
         "pictures": lambda: pictures(_WIDTHS),
         "ringing": lambda: ringing(_RINGING_EACH),
         "valley": lambda: valley(root / "configs" / "valley.toml", _SCENE_ROWS),
+        "lighting": lambda: lighting(root / "configs" / "preetham.toml", reference),
     }
     return {name: rounded(measure()) for name, measure in parts.items()} | {"daylight": daylight()}
 
@@ -139,6 +142,24 @@ def valley(path: Path, rows: int) -> dict[str, Any]:
     found = scene.measure(config, suns, bands, rows)
     shown = {str(n): dict(zip(("least", "most"), found[n], strict=True)) for n in (*_SCENE_SHOWN, bands)}
     return {"bands": bands, "azimuths": list(_SCENE_AZIMUTHS), "first": shown}
+
+
+def lighting(path: Path, reference: Path) -> dict[str, Any]:
+    """Return what surfaces and pictures lose by each table of ``reference``, and by its bands (``studies.lighting``).
+
+    The largest over all sets, and of half of them: of irradiance, of a picture, and of irradiance by the number of bands.
+    """
+    config = load(path)
+    rows = lit.section([(config, reference)], lambda *_: None).rows
+    keys = {
+        "irradiance": ("irradiance", "half of the sets"),
+        "picture": ("picture", "half of the sets, picture"),
+        "bands": ("bands", "half of the sets, bands"),
+    }
+    tables = {
+        str(row["table"]): {key: [float(str(row[name])) for name in names] for key, names in keys.items()} for row in rows
+    }
+    return {"sets": len(sets_of(config)), "tables": tables}
 
 
 def rounded(value: Any) -> Any:

@@ -222,6 +222,26 @@ def _valley(found: Released) -> str:
     )
 
 
+def _lighting(found: Released) -> str:
+    claim, rows = found.claims["lighting"], []
+    lost = claim["tables"]
+    for row in found.summary["tables"]:
+        cells = [" / ".join(_share(value) for value in lost[row["name"]][key]) for key in ("irradiance", "picture")]
+        rows.append([row["name"], f"{100 * row['e_mean']:.4g} %", *cells])
+    by_bands = {row["bands"]: lost[row["name"]]["bands"] for row in found.summary["tables"]}
+    bands = " and ".join(
+        f"by {_share(worst)} / {_share(half)} with {n} bands" for n, (worst, half) in sorted(by_bands.items())
+    )
+    most = max(lost[row["name"]]["irradiance"][0] / row["e_mean"] for row in found.summary["tables"])
+    told = _words(
+        f"""By how much the light on a surface is off, and a picture of a scene lit through precomputed transfer: the worst
+        of {claim["sets"]} skies that neither fit nor selection saw / half of them. No table loses more of any surface's
+        light than {_digits(most, 2)} times its E_mean. What few bands lose of the sky itself no better table mends: the
+        light on a surface is off {bands}."""
+    )
+    return f"{told}\n\n{_table(['table', 'E_mean', 'light on a surface', 'a picture'], rows)}"
+
+
 BLOCKS: Mapping[str, Callable[[Released], str]] = {
     "results": _results,
     "speed": _speed,
@@ -232,5 +252,6 @@ BLOCKS: Mapping[str, Callable[[Released], str]] = {
     "pictures": _pictures,
     "ringing": _ringing,
     "daylight": _daylight,
+    "lighting": _lighting,
     "valley": _valley,
 }
