@@ -81,12 +81,19 @@ def _cast(rays: Rays, points: Array, turned: Array, half: Cells) -> NDArray[np.b
 
 
 def to_world(weights: Array, turned: Array) -> Array:
-    """Return SH weights ``(..., n, N*N)`` of functions in ``n`` frames ``(n, 3, 3)`` in the world's axes."""
+    """Return SH weights ``(..., n, N*N)`` of functions in ``n`` frames ``(n, 3, 3)`` in the world's axes.
+
+    The functions' values in fixed directions of the world are projected by a rule that is exact for them: Gauss's in z,
+    and even steps in azimuth.
+    """
     bands = sphere.bands_of(weights)
-    fixed = sphere.spiral(2 * bands * bands)
-    back = np.linalg.pinv(sphere.basis(fixed, bands))
-    matrices = back @ sphere.basis(_unit(fixed @ turned), bands)
-    return np.asarray(np.einsum("nij,...nj->...ni", matrices, weights))
+    z, share = sphere.gauss(bands)
+    azimuth = 2.0 * np.pi * np.arange(2 * bands - 1) / (2 * bands - 1)
+    ring = np.sqrt(1.0 - z * z)[:, np.newaxis] * np.stack([np.cos(azimuth), np.sin(azimuth)])[:, np.newaxis]
+    fixed = np.stack([*ring, np.broadcast_to(z[:, np.newaxis], ring.shape[1:])], axis=-1).reshape(-1, 3)
+    project = sphere.basis(fixed, bands) * np.repeat(2.0 * np.pi / (2 * bands - 1) * share, 2 * bands - 1)[:, np.newaxis]
+    values = np.einsum("nki,...ni->...nk", sphere.basis(_unit(fixed @ turned), bands), weights)
+    return np.asarray(values @ project)
 
 
 def _unit(vectors: Array) -> Array:
