@@ -31,6 +31,7 @@ COMMANDS = {
     "project": Entry("Print the SH weights of a picture of the whole sphere.", "images"),
     "lightmap": Entry("Bake a table's light at the texels of a mesh, for normal maps.", "transfer"),
     "transfer": Entry("Compute what the vertices of a mesh make of the light around it.", "transfer"),
+    "render": Entry("Render a config's mesh under its sky and sun, through transfer or by brute force.", "pipeline"),
     "verify": Entry("Run a released result again and compare every byte.", "pipeline"),
     "artifacts": Entry("List, show, verify and clean the artifact store.", "pipeline"),
     "config": Entry("Describe and check configs.", "pipeline"),

@@ -14,6 +14,7 @@ from skylight_sh.config.mesh_schema import MeshSection
 from skylight_sh.config.scenes_schema import ScenesSection
 from skylight_sh.config.section import Section
 from skylight_sh.config.surroundings_schema import CloudsSection, OccluderSection
+from skylight_sh.config.views_schema import ViewSection
 from skylight_sh.export.targets import ALWAYS, TARGETS
 from skylight_sh.fit.least_squares import SOLVERS
 from skylight_sh.formula.bases import BASES
@@ -228,6 +229,7 @@ class Config(Section):
     export: ExportSection = Field(description="an [export] section: what renderers get")
     report: ReportSection = ReportSection.model_construct()
     scene: SceneSection = SceneSection.model_construct()
+    views: tuple[ViewSection, ...] = Field((), description="pictures of the scene's mesh, one [[views]] table each")
     run: RunSection = RunSection.model_construct()
     _folder: Path = PrivateAttr(default_factory=Path)
 

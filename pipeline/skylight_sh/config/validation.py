@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from skylight_sh.config import scenes_validation, surroundings_validation
+from skylight_sh.config import scenes_validation, surroundings_validation, views_validation
 from skylight_sh.config.problem import Problem
 from skylight_sh.config.schema import AxisSection, Config
 from skylight_sh.config.wanted import table_names
@@ -25,6 +25,7 @@ def find(config: Config) -> list[Problem]:
     return [
         *_scene(config),
         *surroundings_validation.find(config),
+        *views_validation.find(config),
         *_axes(config),
         *_fit(config),
         *_winners(config),

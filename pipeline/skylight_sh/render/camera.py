@@ -20,7 +20,8 @@ _STEPS = np.array([1.0 / _PLASTIC, 1.0 / _PLASTIC**2])
 class Camera:
     """A camera at ``eye`` that looks at ``target``, +z up, as ``width`` x ``height`` square pixels.
 
-    ``field`` is the vertical angle of view in degrees. Raises UserError for what no picture has.
+    ``field`` is the vertical angle of view in degrees; ``columns``, first and one past the last, are what a picture shows of
+    the width, all of it if left out. Raises UserError for what no picture has.
 
     >>> ahead = Camera((0.0, -5.0, 1.0), (0.0, 0.0, 1.0), 40.0, 3, 3).directions()[1, 1]
     >>> [abs(round(float(c), 6)) for c in ahead]
@@ -32,6 +33,7 @@ class Camera:
     field: float
     width: int
     height: int
+    columns: tuple[int, int] | None = None
 
     def __post_init__(self) -> None:
         if not 0.0 < self.field < 180.0:
@@ -43,6 +45,11 @@ class Camera:
             raise UserError(
                 f"Invalid view from {self.eye} to {self.target}. Should be two places, neither above the other: +z is up."
             )
+
+    @property
+    def shown(self) -> slice:
+        """The columns that a picture shows."""
+        return slice(*self.columns) if self.columns else slice(0, self.width)
 
     def directions(self, within: Array | tuple[float, float] = (0.5, 0.5)) -> Array:
         """Return unit vectors ``(height, width, ..., 3)`` through the pixels, the first row on top.

@@ -19,6 +19,8 @@ Array = NDArray[np.float64]
 Mapper = Callable[[Callable[[Any], Any], Sequence[Any]], Sequence[Any]]
 # Irradiance / pi (n, 3) at points; the number tells chunks apart.
 Lighting = Callable[[Points, int], Array]
+# Irradiance / pi (n, 3) straight from emitters, by numbers (n, s, 2).
+Straight = Callable[[Surface, Points, Sequence[Emitter], Array], Array]
 
 _PURPOSE = 8
 # Points looked at together.
@@ -49,20 +51,22 @@ def take(
     behind: Callable[[Array], Array],
     emitters: Sequence[Emitter],
     sampling: Sampling,
+    shining: Straight = straight,
     mapper: Mapper | None = None,
 ) -> Picture:
     """Return a picture of ``surface`` under ``lighting``, with the straight light of ``emitters``, ``behind`` it the rest.
 
-    ``behind`` gives the radiance of unit vectors ``(n, 3)``. Emitters show themselves too. Every pixel has the same points
-    within it, and its own turn of one even set of shadow rays. ``mapper`` applies a function to chunks, in order.
+    ``behind`` gives the radiance of unit vectors ``(n, 3)``. Emitters show themselves too; ``shining`` is how they shine.
+    Every pixel has the same points within it, and its own turn of one even set of shadow rays. ``mapper`` applies a function
+    to chunks, in order.
     """
-    pixels = camera.width * camera.height
+    pixels = np.arange(camera.height * camera.width).reshape(camera.height, camera.width)[:, camera.shown].ravel()
     within = spread(sampling.pixel)
     # Not in step with where in the pixel they are.
     order = generator(sampling.seed, _PURPOSE, 0).permutation(sampling.pixel * sampling.shadow)
 
     def chunk(part: slice) -> tuple[Array, Array]:
-        own = np.arange(part.start, part.stop)
+        own = pixels[part]
         along = camera.through(own, within).reshape(-1, 3)
         eye = np.asarray(camera.eye, dtype=np.float64)
         origins = np.broadcast_to(eye, along.shape)
@@ -74,7 +78,7 @@ def take(
         unit = even(len(order), shifts)[:, order].reshape(len(along), sampling.shadow, 2)[front]
         light = lighting(points, part.start * sampling.pixel)
         if emitters:
-            light = light + straight(surface, points, emitters, unit)
+            light = light + shining(surface, points, emitters, unit)
         colour[front] = points.albedo * light
         for emitter in emitters:
             at, radiance = emitter.seen(eye, along)
@@ -84,6 +88,6 @@ def take(
         return colour.reshape(len(own), -1, 3).mean(axis=1), front.reshape(len(own), -1).mean(axis=1)
 
     apply: Mapper = mapper or (lambda function, items: [function(item) for item in items])
-    done = apply(chunk, chunks(pixels, max(1, _CHUNK // sampling.pixel)))
+    done = apply(chunk, chunks(len(pixels), max(1, _CHUNK // sampling.pixel)))
     radiance, share = (np.concatenate(parts) for parts in zip(*done, strict=True))
-    return Picture(radiance.reshape(camera.height, camera.width, 3), share.reshape(camera.height, camera.width))
+    return Picture(radiance.reshape(camera.height, -1, 3), share.reshape(camera.height, -1))

@@ -47,15 +47,17 @@ class Sky:
         """Return the radiance ``(n, 3)`` in cd/m2 from unit vectors ``(n, 3)``."""
         mirrored = self.below == "mirror"
         seen = np.concatenate([directions[:, :2], np.abs(directions[:, 2:])], axis=1) if mirrored else directions
-        above = elevation(seen) > self._horizon(seen)
+        above = self._over(seen)
         found = np.zeros(directions.shape)
         found[above] = self._above(seen[above])
         if not mirrored:
             found[~above] = self.below
-        if self.occluders:
-            angles, axes = self.occluders
-            found[(directions @ np.transpose(axes) >= np.cos(angles)).any(axis=1)] = 0.0
+        found[self._occluded(directions)] = 0.0
         return found
+
+    def shows(self, directions: Array) -> NDArray[np.bool_]:
+        """Say along which unit vectors ``(n, 3)`` the sky shows, whatever clouds are before it."""
+        return self._over(directions) & ~self._occluded(directions)
 
     def falling(self) -> Array:
         """Return the irradiance in lux ``(3,)`` on the horizontal, right to 1e-4 of itself where nothing hides the sky."""
@@ -66,6 +68,15 @@ class Sky:
         """Return this sky over even ground of ``albedo``, one or three, lit by it and ``straight`` ``(3,)`` lux of a sun."""
         lux = replace(self, below=(0.0, 0.0, 0.0)).falling() + straight
         return replace(self, below=tuple((np.broadcast_to(albedo, (3,)) * lux / np.pi).tolist()))
+
+    def _over(self, directions: Array) -> NDArray[np.bool_]:
+        return np.asarray(elevation(directions) > self._horizon(directions))
+
+    def _occluded(self, directions: Array) -> NDArray[np.bool_]:
+        if not self.occluders:
+            return np.zeros(len(directions), dtype=bool)
+        angles, axes = self.occluders
+        return np.asarray((directions @ np.transpose(axes) >= np.cos(angles)).any(axis=1))
 
     def _above(self, directions: Array) -> Array:
         cos, sin = np.cos(self.azimuth), np.sin(self.azimuth)

@@ -35,6 +35,16 @@ def straight(surface: Surface, points: Points, emitters: Sequence[Emitter], unit
     return total
 
 
+def unshaded(_: Surface, points: Points, emitters: Sequence[Emitter], unit: Array) -> Array:
+    """Return the same as ``straight`` where nothing casts a shadow."""
+    total = np.zeros((len(points.positions), 3))
+    for emitter in emitters:
+        found = emitter.towards(points.positions, unit)
+        cosine = np.maximum(np.einsum("nsk,nk->ns", found.along, points.normals), 0.0)
+        total += np.einsum("nsc,ns->nc", found.lux, cosine) / (np.pi * unit.shape[1])
+    return total
+
+
 def even(count: int, shifts: Array) -> Array:
     """Return ``count`` numbers of the unit square for each of ``shifts`` ``(n, 2)``, by which a Fibonacci lattice is moved.
 

@@ -78,7 +78,8 @@ def settings(config: Config) -> dict[str, Any]:
 
 def whole_settings(config: Config) -> dict[str, Any]:
     """Return ``settings`` and which files are exported: all that it takes to run the config again."""
-    found: dict[str, Any] = config.model_dump(mode="json", exclude={"extends": True, "run": True})
+    # Views are rendered of what a run publishes.
+    found: dict[str, Any] = config.model_dump(mode="json", exclude={"extends", "run", "views"})
     # What came later leaves the settings of those who do not use it as they were, and their digests.
     for section, key in _LATER:
         if found[section][key] is None:

@@ -31,7 +31,7 @@ RULE, GRID, VERIFICATION, RANDOM, HELD_OUT = (
 )
 PROBE, VARIABLES, SURROUNDINGS = (f"truth/{part}" for part in ("probe", "variables", "surroundings"))
 ORIGINS = "fit/origins"
-TRANSFER = "transfer"
+TRANSFER, GATHER = "transfer", "transfer/gather"
 LIGHTING = "measure/lighting"
 # The steps of pictures of scenes: what they read, and what makes them.
 _PICTURES = {
@@ -117,6 +117,13 @@ def transfer_step(source: MeshSource, executor: str = "threads", workers: int = 
     """Return the step that computes the transfer of a mesh."""
     make = _later("transfer:make", source, executor, workers)
     return Step(TRANSFER, "", (), source.parameters(), make, in_blocks=True)
+
+
+def gather_step(source: MeshSource, executor: str = "threads", workers: int = 0) -> Step:
+    """Return the step that computes by what matrix light bounces between the vertices of a mesh; no run needs it."""
+    stage, _, part = GATHER.partition("/")
+    make = _later("gathering:make", source, executor, workers)
+    return Step(stage, part, (), source.parameters(), make, in_blocks=True)
 
 
 def _transfer(config: Config) -> Iterator[Step]:

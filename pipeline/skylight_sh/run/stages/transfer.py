@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from skylight_sh.mesh import Mesh
 from skylight_sh.mesh.findings import told
+from skylight_sh.render.surface import plain
 from skylight_sh.run.blocks import Arrays, map_in_blocks
 from skylight_sh.run.executors import Advance
 from skylight_sh.run.mesh_source import MeshSource
@@ -29,7 +30,7 @@ def make(source: MeshSource, executor: str, workers: int, _: Inputs, advance: Ad
     mesh, options = source.mesh(blocks.warn), source.options
     if source.unshadowed:
         return _dataset(source, mesh, open_transfer(mesh, options.bands), None)
-    setup = prepare(mesh, options)
+    setup = prepare(plain(mesh), options)
     for sentence in told(inspect(mesh, setup.rays, setup.start, options.seed)):
         blocks.warn(sentence)
     found = in_blocks(setup, executor, workers, advance, blocks)
