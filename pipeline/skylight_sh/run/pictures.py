@@ -73,11 +73,13 @@ def slices_of(config: Config, view: ViewSection, asked: Asked, store: Path, coun
     strips = [studio.take(sun, columns) for sun, columns in zip(suns, from_views.edges(view.width, count), strict=True)]
     radiance, srgb = (np.concatenate([strip[k] for strip in strips], axis=1) for k in (0, 1))
     size = max(1, view.height // _ROWS_A_DOT)
-    middles = np.array([first for first, _ in from_views.edges(view.width, count)][1:])
-    srgb = lettering.ruled(srgb, middles, size)
-    for sun, (first, last) in zip(suns, from_views.edges(view.width, count), strict=True):
+    edges = list(from_views.edges(view.width, count))
+    for sun, (first, last) in zip(suns, edges, strict=True):
         wide = lettering.dots(sun.clock).shape[1] * size
-        srgb = lettering.written(srgb, sun.clock, view.height - 11 * size, (first + last - wide) // 2, size)
+        # Where a strip is too narrow for its hour, it has none.
+        if wide + 4 * size < last - first:
+            srgb = lettering.written(srgb, sun.clock, view.height - 11 * size, (first + last - wide) // 2, size)
+    srgb = lettering.ruled(srgb, np.array([first for first, _ in edges[1:]]), size)
     return radiance, srgb, f"{count} times from {suns[0].clock} to {suns[-1].clock}"
 
 
