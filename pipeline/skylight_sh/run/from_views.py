@@ -20,11 +20,12 @@ from skylight_sh.config.views_schema import SkySunSection, ViewSection
 from skylight_sh.light import spherical_lights, sun_disc
 from skylight_sh.light.preetham import Preetham
 from skylight_sh.light.protocol import Light as Model
+from skylight_sh.mesh.texels import averaged
 from skylight_sh.probe import files
 from skylight_sh.render import emitters, sky, tone
 from skylight_sh.render.camera import Camera
 from skylight_sh.render.scene import Light, Scene, Surroundings
-from skylight_sh.render.surface import Surface, averaged
+from skylight_sh.render.surface import Surface
 from skylight_sh.run.from_config import scene_of as folded
 from skylight_sh.run.mesh_source import MeshSource
 from skylight_sh.runtime import Runtime, zonal_sinc
@@ -108,7 +109,7 @@ def scene_of(source: MeshSource, transfer: Dataset, gathered: Dataset) -> Scene:
     matrix = sparse.csr_array(places, shape=(count, count))
     heal = healing(mesh, gathered["healed"].astype(bool))
     between = Surroundings(gathered["start"], heal, matrix, source.options.bounces)
-    return Scene(Surface(mesh), averaged(mesh), transfer["transfer"], between)
+    return Scene(Surface(mesh), averaged(mesh).albedo, transfer["transfer"], between)
 
 
 def light_of(config: Config, table: Runtime | None, view: ViewSection, sun: Sun) -> Lit:

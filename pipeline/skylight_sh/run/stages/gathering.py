@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from functools import partial
 
-from skylight_sh.render.surface import plain
 from skylight_sh.run.blocks import map_in_blocks
 from skylight_sh.run.executors import Advance
 from skylight_sh.run.mesh_source import MeshSource
@@ -16,7 +15,7 @@ from skylight_sh.transfer.whole import blocks_of, collect, gather_matrix, prepar
 
 def make(source: MeshSource, executor: str, workers: int, _: Inputs, advance: Advance, blocks: Blocks) -> Dataset:
     """Compute the matrix of a mesh; an empty one where there are no bounces."""
-    setup = prepare(plain(source.mesh(blocks.warn)), source.options)
+    setup = prepare(source.mesh(blocks.warn), source.options)
     named = [(f"gather-{part.start}", part) for part in blocks_of(setup.mesh)] if source.options.bounces else []
     found = map_in_blocks(partial(collect, setup), named, blocks, executor=executor, workers=workers, advance=advance)
     matrix = gather_matrix(setup, found)

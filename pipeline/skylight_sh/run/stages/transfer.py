@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 
 from skylight_sh.mesh import Mesh
 from skylight_sh.mesh.findings import told
-from skylight_sh.render.surface import plain
 from skylight_sh.run.blocks import Arrays, map_in_blocks
 from skylight_sh.run.executors import Advance
 from skylight_sh.run.mesh_source import MeshSource
@@ -30,8 +29,9 @@ def make(source: MeshSource, executor: str, workers: int, _: Inputs, advance: Ad
     mesh, options = source.mesh(blocks.warn), source.options
     if source.unshadowed:
         return _dataset(source, mesh, open_transfer(mesh, options.bands), None)
-    setup = prepare(plain(mesh), options)
-    for sentence in told(inspect(mesh, setup.rays, setup.start, options.seed)):
+    setup = prepare(mesh, options)
+    # A mesh that code makes is known, and healed without a word.
+    for sentence in () if source.made else told(inspect(mesh, setup.rays, setup.start, options.seed)):
         blocks.warn(sentence)
     found = in_blocks(setup, executor, workers, advance, blocks)
     return _dataset(source, mesh, found.transfer, found)
