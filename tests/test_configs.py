@@ -70,6 +70,10 @@ def reduced(path: Path) -> dict[str, Any]:
     # A picture that the default does not draw is worth more than one that it does.
     drawn = raw.setdefault("report", {}).get("figures", DEFAULT)
     raw["report"]["figures"] = [next((picture for picture in drawn if picture not in DEFAULT), drawn[0])]
+    if "mesh" in raw.get("scene", {}):
+        raw["scene"]["mesh"] |= {"rays": 16, "gather_rays": 16, "bounces": 1}
+    # Views may ask for tables of other names.
+    raw["views"] = [{key: value for key, value in view.items() if key != "table"} for view in raw.get("views", ())]
     raw["export"]["recommended"] = recommended(raw["winners"][0], raw["export"]["recommended"].endswith("-packed"))
     return raw
 
