@@ -11,7 +11,7 @@ from functools import cache
 from pathlib import Path
 
 import pytest
-from conftest import ROOT
+from conftest import ROOT, scene_config
 from skylight_sh import runtime
 from skylight_sh.cli import COMMANDS
 from skylight_sh.config import load
@@ -175,10 +175,11 @@ def _each(column: str, axes: tuple[str, ...]) -> tuple[str, ...]:
 
 
 def test_every_step_of_the_store_is_listed() -> None:
-    """Those of five configs, which have every step there is, and no others."""
+    """Those of five configs and of a scene with a mesh, which have every step there is, and no others."""
     configs = [
         load(ROOT / "configs" / f"{name}.toml") for name in ("preetham", "black-box", "clear-day", "valley", "papers-scenes")
     ]
+    configs.append(scene_config('mesh = { file = "courtyard", bands = 3 }'))
     names = {step.name for config in configs for step in steps(config)}
     told = section("The artifact store").partition("What the steps hold:")[2]
     rows = [line.split("|")[1] for line in told.splitlines() if line.startswith("| `")]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import struct
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
@@ -34,29 +34,24 @@ def write(mesh: Mesh, bytes_of: Mapping[str, NDArray[np.int8]], extras: Mapping[
     """Return ``mesh`` as a GLB file (Khronos glTF 2.0, chapter 4): the same input gives the same bytes.
 
     ``bytes_of`` holds attributes of the vertices by name, ``(v, 4)`` each, which count as numbers from -1 to 1 (steps of
-    1 / 127); names of one's own begin with an underscore. Every part is a mesh of its own, with its name, over the same
-    vertices; albedo is ``COLOR_0``, linear, in 16 bits; textures and reliefs are PNG files inside. ``extras`` are the whole
-    file's.
+    1 / 127); names of one's own begin with an underscore. Every part is a mesh of its own, with its name, over its range of
+    the vertices, which stand in the mesh's order; albedo is ``COLOR_0``, linear, in 16 bits; textures and reliefs are PNG
+    files inside. ``extras`` are the whole file's.
     """
     made = _Buffer()
-    attributes = {
-        "POSITION": made.vertices(_turned(mesh.positions), bounds=True),
-        "NORMAL": made.vertices(_turned(mesh.normals)),
-        "COLOR_0": made.vertices(_shorts(mesh.albedo), normalized=True),
-    }
+    # Which count as numbers from -1 or 0 to 1.
+    whole = {"COLOR_0": _shorts(mesh.albedo), **{name: values.astype("i1") for name, values in bytes_of.items()}}
+    real = {"POSITION": _turned(mesh.positions), "NORMAL": _turned(mesh.normals)}
     if any(part.texture is not None or part.relief is not None for part in mesh.parts):
         # Their first row is at v = 1 here, at v = 0 in glTF.
-        attributes["TEXCOORD_0"] = made.vertices((mesh.uv * [1.0, -1.0] + [0.0, 1.0]).astype("<f4"))
-    attributes |= {name: made.vertices(values.astype("i1"), normalized=True) for name, values in bytes_of.items()}
+        real["TEXCOORD_0"] = (mesh.uv * [1.0, -1.0] + [0.0, 1.0]).astype("<f4")
+    attributes = {name: made.vertices(name, values) for name, values in (real | whole).items()}
     materials, material_of = _materials(mesh, made)
-    primitives = made.triangles(mesh)
-    meshes = [
-        {
-            "name": mesh.parts[i].name,
-            "primitives": [{"attributes": attributes, "indices": indices, "material": material_of[i]}],
-        }
-        for i, indices in primitives.items()
-    ]
+    meshes = []
+    for part, (first, stop, indices) in made.triangles(mesh).items():
+        own = {name: attribute(first, stop, normalized=name in whole) for name, attribute in attributes.items()}
+        primitive = {"attributes": own, "indices": indices, "material": material_of[part]}
+        meshes.append({"name": mesh.parts[part].name, "primitives": [primitive]})
     document = {
         "asset": {"version": "2.0", "generator": f"skylight-sh {__version__}"},
         "extras": dict(extras),
@@ -80,49 +75,50 @@ class _Buffer:
         self.images: list[dict[str, Number]] = []
         self.pictures: dict[bytes, int] = {}
 
-    def view(self, data: bytes, target: int | None = None) -> int:
+    def view(self, data: bytes, **more: Number) -> int:
         """Add bytes, from a multiple of four on, and return their view's number."""
         self.data += bytes(-len(self.data) % 4)
-        view: dict[str, Number] = {"buffer": 0, "byteOffset": len(self.data), "byteLength": len(data)}
-        self.views.append(view if target is None else view | {"target": target})
+        self.views.append({"buffer": 0, "byteOffset": len(self.data), "byteLength": len(data), **more})
         self.data += data
         return len(self.views) - 1
 
-    def vertices(self, values: NDArray[Any], *, normalized: bool = False, bounds: bool = False) -> int:
-        """Add an attribute ``(v, 2 to 4)`` of the vertices and return its accessor's number."""
-        found: dict[str, Any] = {
-            "bufferView": self.view(np.ascontiguousarray(values).tobytes(), _VERTICES),
-            "componentType": _COMPONENT[values.dtype.str[1:]],
-            "count": len(values),
-            "type": _KIND[values.shape[1]],
-        }
-        if normalized:
-            found["normalized"] = True
-        if bounds:
-            found |= {"min": values.min(axis=0).tolist(), "max": values.max(axis=0).tolist()}
-        self.accessors.append(found)
-        return len(self.accessors) - 1
+    def vertices(self, name: str, values: NDArray[Any]) -> Callable[..., int]:
+        """Add an attribute ``(v, 2 to 4)`` of all vertices; return what makes the accessor of a range of them."""
+        stride = values.itemsize * values.shape[1]
+        view = self.view(np.ascontiguousarray(values).tobytes(), byteStride=stride, target=_VERTICES)
 
-    def triangles(self, mesh: Mesh) -> dict[int, int]:
-        """Add the indices, part by part, and return the accessor of each part that has triangles."""
-        order = np.argsort(mesh.part, kind="stable")
-        kind = "<u2" if len(mesh.positions) <= _MOST_SHORT else "<u4"
-        view = self.view(mesh.triangles[order].astype(kind).tobytes(), _INDICES)
-        ends = np.searchsorted(mesh.part[order], np.arange(len(mesh.parts) + 1))
-        found = {}
-        for i, (start, stop) in enumerate(zip(ends[:-1].tolist(), ends[1:].tolist(), strict=True)):
-            if start < stop:
-                self.accessors.append(
-                    {
-                        "bufferView": view,
-                        "byteOffset": 3 * start * np.dtype(kind).itemsize,
-                        "componentType": _COMPONENT[kind[1:]],
-                        "count": 3 * (stop - start),
-                        "type": "SCALAR",
-                    }
-                )
-                found[i] = len(self.accessors) - 1
+        def accessor(first: int, stop: int, *, normalized: bool) -> int:
+            found = self._accessor(view, first * stride, values.dtype, stop - first, _KIND[values.shape[1]])
+            if normalized:
+                found["normalized"] = True
+            if name == "POSITION":
+                part = values[first:stop]
+                found |= {"min": part.min(axis=0).tolist(), "max": part.max(axis=0).tolist()}
+            self.accessors.append(found)
+            return len(self.accessors) - 1
+
+        return accessor
+
+    def triangles(self, mesh: Mesh) -> dict[int, tuple[int, int, int]]:
+        """Add the indices, part by part; return of each part that has triangles its vertices' range and its accessor.
+
+        A part counts its vertices from the first one that it uses.
+        """
+        parts = {i: mesh.triangles[mesh.part == i] for i in range(len(mesh.parts))}
+        ranges = {i: (int(one.min()), int(one.max()) + 1) for i, one in parts.items() if one.size}
+        kind = np.dtype("<u2" if all(stop - first <= _MOST_SHORT for first, stop in ranges.values()) else "<u4")
+        rebased = {i: parts[i].astype(np.int64) - first for i, (first, _) in ranges.items()}
+        view = self.view(np.concatenate(list(rebased.values())).astype(kind).tobytes(), target=_INDICES)
+        found, start = {}, 0
+        for i, one in rebased.items():
+            self.accessors.append(self._accessor(view, start, kind, one.size, "SCALAR"))
+            found[i] = (*ranges[i], len(self.accessors) - 1)
+            start += one.size * kind.itemsize
         return found
+
+    def _accessor(self, view: int, start: int, kind: np.dtype[Any], count: int, shape: str) -> dict[str, Any]:
+        of = {"componentType": _COMPONENT[kind.str[1:]], "count": count, "type": shape}
+        return {"bufferView": view, **({"byteOffset": start} if start else {}), **of}
 
     def picture(self, srgb: Array) -> int:
         """Add a picture ``(rows, columns, 3)`` of numbers from 0 to 1 as they are to be stored; return its texture."""

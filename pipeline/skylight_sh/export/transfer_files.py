@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import partial
 from importlib.resources import files
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from skylight_sh import __version__
+from skylight_sh import __version__, sphere
 from skylight_sh.export import gltf, transfer_shader
 from skylight_sh.export.engines import describe
 from skylight_sh.export.shader_dialects import DIALECTS
@@ -17,12 +20,12 @@ from skylight_sh.mesh import Mesh
 from skylight_sh.runtime import Runtime
 from skylight_sh.transfer import compression
 from skylight_sh.transfer.compression import STEPS, Compressed
-from skylight_sh.transfer.random_suns import random_suns
+from skylight_sh.transfer.random_suns import CLEAR, random_suns
 
 Array = NDArray[np.float64]
 
 FORMAT = 1
-GLB, UNIFORMS, ROUTINE = "transfer.glb", "transfer_uniforms.json", "transfer_uniforms.mjs"
+ROUTINE = "transfer_uniforms.mjs"
 
 # Components are made for the first suns, and their error is measured under the others.
 _SUNS, _UNSEEN = 2000, 60
@@ -35,16 +38,35 @@ _FRAME = (
 _WEIGHTS = "radiance, real orthonormal without the Condon-Shortley sign, index l*(l+1)+m, +x east, +y north, +z up"
 
 
-def write(mesh: Mesh, direct: Array, transfer: Array, table: Runtime, colour_space: str = "srgb") -> dict[str, bytes]:
-    """Return the files by name: the transfer of ``mesh`` compressed for the skies of ``table``, and what reads it.
+@dataclass(frozen=True)
+class Written:
+    """Files by name, and what compression ``lost``, as they tell it."""
 
-    ``direct`` ``(v, N*N)`` is shadowed transfer, ``transfer`` ``(v, 3, N*N)`` the same with bounces. Raises UserError for a
-    table that cannot light them, see ``random_suns``.
+    files: dict[str, bytes]
+    lost: dict[str, float]
+
+
+def write(
+    mesh: Mesh,
+    direct: Array,
+    transfer: Array,
+    table: Runtime,
+    *,
+    stem: str = "transfer",
+    colour_space: str = "srgb",
+    turbidity: float = CLEAR,
+) -> Written:
+    """Return the transfer of ``mesh`` compressed for the skies of ``table``, and what reads it.
+
+    ``direct`` ``(v, N*N)`` is shadowed transfer, ``transfer`` ``(v, 3, N*N)`` the same with bounces; files' names begin with
+    ``stem``. Raises UserError for a table that cannot light them, see ``random_suns``.
     """
-    bands = int(np.sqrt(direct.shape[1]))
-    made = compression.compress(direct, transfer, *random_suns(table, bands, _SUNS, _SEED, colour_space))
-    unseen = random_suns(table, bands, _UNSEEN, _UNSEEN_SEED, colour_space)
-    return pack(mesh, made, losses(compression.errors(made, direct, transfer, *unseen)))
+    bands = sphere.bands_of(direct)
+    suns = partial(random_suns, table, bands, colour_space=colour_space, turbidity=turbidity)
+    made = compression.compress(direct, transfer, *suns(count=_SUNS, seed=_SEED))
+    unseen = suns(count=_UNSEEN, seed=_UNSEEN_SEED)
+    lost = losses(compression.errors(made, direct, transfer, *unseen))
+    return Written(pack(mesh, made, lost, stem), lost)
 
 
 def losses(errors: Array) -> dict[str, float]:
@@ -58,8 +80,23 @@ def losses(errors: Array) -> dict[str, float]:
     return {"suns": errors.shape[1], **{name: float(f"{value:.4g}") for name, value in found.items()}}
 
 
-def pack(mesh: Mesh, made: Compressed, lost: dict[str, float]) -> dict[str, bytes]:
-    """Return the files of compressed transfer; ``lost`` is what ``losses`` says."""
+def told(lost: Mapping[str, float]) -> str:
+    """Return what ``losses`` says as a sentence's end.
+
+    >>> told(losses(np.array([[0.01, 0.02], [0.02, 0.025]])))
+    'of 2 unseen suns compression loses 2 % at worst and 1.5 % as a rule, with bounces of suns 2.5 % and 2.25 %'
+    """
+    sky, both = (
+        [f"{100 * lost[f'{name}_{word}']:.3g} %" for word in ("worst", "median")] for name in ("sky", "sky_and_sun_bounces")
+    )
+    return (
+        f"of {lost['suns']:.0f} unseen suns compression loses {sky[0]} at worst and {sky[1]} as a rule, "
+        f"with bounces of suns {both[0]} and {both[1]}"
+    )
+
+
+def pack(mesh: Mesh, made: Compressed, lost: dict[str, float], stem: str = "transfer") -> dict[str, bytes]:
+    """Return the files of compressed transfer by name, which begins with ``stem``; ``lost`` is what ``losses`` says."""
     count = made.components.shape[1]
     names = transfer_shader.attributes(count)
     whole = np.zeros((len(made.components), 4 * len(names)), dtype=np.int8)
@@ -71,7 +108,7 @@ def pack(mesh: Mesh, made: Compressed, lost: dict[str, float]) -> dict[str, byte
             "format": FORMAT,
             **shared,
             "attributes": names,
-            "uniforms": UNIFORMS,
+            "uniforms": f"{stem}_uniforms.json",
             "axes": f"{describe(gltf.AXES)}; SH weights stay in axes with z up, since vertices hold no directions of them",
         }
     }
@@ -86,10 +123,10 @@ def pack(mesh: Mesh, made: Compressed, lost: dict[str, float]) -> dict[str, byte
         "matrix": [[float(f"{value:.8g}") for value in row] for row in made.matrix.tolist()],
     }
     return {
-        GLB: gltf.write(mesh, fours, extras),
-        UNIFORMS: _json(told),
-        ROUTINE: files(__package__).joinpath(f"templates/{ROUTINE}").read_bytes(),
-        **{f"transfer_shader.{DIALECTS[name].extension}": transfer_shader.write(name, count).encode() for name in DIALECTS},
+        f"{stem}.glb": gltf.write(mesh, fours, extras),
+        f"{stem}_uniforms.json": _json(told),
+        f"{stem}_uniforms.mjs": files(__package__).joinpath(f"templates/{ROUTINE}").read_bytes(),
+        **{f"{stem}_shader.{DIALECTS[name].extension}": transfer_shader.write(name, count).encode() for name in DIALECTS},
     }
 
 

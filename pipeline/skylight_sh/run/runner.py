@@ -17,7 +17,7 @@ from skylight_sh.config.schema import Config
 from skylight_sh.run import plan, progress
 from skylight_sh.run.files import TRANSFER_FILE, from_dataset, transfer_file
 from skylight_sh.run.provenance import environment, settings, versions
-from skylight_sh.run.steps import TRANSFER, steps
+from skylight_sh.run.steps import ENGINES, TRANSFER, steps
 from skylight_sh.store import atomic
 from skylight_sh.store.store import Store
 
@@ -39,7 +39,7 @@ def run(config: Config, store: Store, reports: Path, warn: Callable[[str], None]
     Raises what a stage raises (NotConvergedError, BudgetError) before anything is published.
     """
     planned = steps(config)
-    published = [step.name for step in planned if step.name in (TRANSFER, "export", "report")]
+    published = [step.name for step in planned if step.name in (TRANSFER, ENGINES, "export", "report")]
     outcomes, artifacts = plan.execute(planned, store, partial(_provenance, config), progress.bar, warn, wanted=published)
     start = time.perf_counter()
     folder = reports / config.name

@@ -32,6 +32,7 @@ RULE, GRID, VERIFICATION, RANDOM, HELD_OUT = (
 PROBE, VARIABLES, SURROUNDINGS = (f"truth/{part}" for part in ("probe", "variables", "surroundings"))
 ORIGINS = "fit/origins"
 TRANSFER, GATHER = "transfer", "transfer/gather"
+ENGINES = "engines"
 LIGHTING = "measure/lighting"
 # The steps of pictures of scenes: what they read, and what makes them.
 _PICTURES = {
@@ -56,6 +57,7 @@ def steps(config: Config) -> list[Step]:
         _measure,
         _lighting,
         _transfer,
+        _engines,
         _scenes,
         _export,
         _report,
@@ -131,6 +133,27 @@ def _transfer(config: Config) -> Iterator[Step]:
     source = mesh_source(config)
     if source is not None:
         yield transfer_step(source, config.run.executor, config.run.workers)
+
+
+def _engines(config: Config) -> Iterator[Step]:
+    """Yield the step, if the scene has a mesh that the recommended table can light."""
+    source = mesh_source(config)
+    if source is None or not _lights(config, source.options.bands):
+        return
+    parameters = {
+        "recommended": config.export.recommended,
+        "fixed": config.scene.fixed,
+        "colour_space": getattr(config.light, "colour_space", ""),
+        "version": __version__,
+    }
+    make = _later("engines:make", config, source)
+    yield Step(ENGINES, "", (TRANSFER, "select"), parameters, make)
+
+
+def _lights(config: Config, bands: int) -> bool:
+    """Say whether the recommended table lights a mesh of transfer of so many bands in red, green and blue, or in grey."""
+    known = next((table.bands for table in wanted(config) if table.name == config.export.recommended), 0)
+    return config.scene.quantity == "radiance" and len(config.source.channels) in (1, 3) and known >= bands
 
 
 def _around(config: Config) -> dict[str, Any]:

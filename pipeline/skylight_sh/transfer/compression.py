@@ -36,12 +36,13 @@ _IMPORTANCE_BITS = 8
 _MATRIX_BITS = 24
 # A component of less than this share of the first one's variance is noise.
 _NOISE = 2.0**-30
-# Suns count more, the more of their light is lost: what is made least is the sum of powers of what skies alone lose, and
-# skies with the sun's bounces. The higher power serves the worst suns, the lower one the others too.
-_POWERS = np.array([[4.0], [6.0]])
+# Lights count more, the more of theirs is lost: made least is the sum of these powers of what skies alone lose, and skies
+# with the sun's bounces. The high power serves the worst suns, those where one sunlit wall's bounces are most of all light.
+_POWERS = np.array([[2.0], [10.0]])
 # Losses that weigh the same.
-_BALANCE = np.array([[0.011], [0.0125]])
-_ROUNDS = 12
+_BALANCE = np.array([[0.011], [0.0165]])
+# In each round importance goes this share of the way.
+_ROUNDS, _SHARE = 20, 0.25
 # So many of the last components lend this share of their steps to the first ones.
 _LENDERS = 4
 _LENT = 4
@@ -159,7 +160,7 @@ def _directions(gram: Array, centred: Array, lights: Array, count: int) -> Array
         if not level > 0.01:
             break
         wanted = (lost / level) ** (_POWERS - 2.0) / np.square(_BALANCE)
-        importance = np.sqrt(importance * wanted)
+        importance = importance ** (1.0 - _SHARE) * wanted**_SHARE
         importance = significant(importance / importance.max(), _IMPORTANCE_BITS)
         found = _principal(centred, even, importance, count)
     return found

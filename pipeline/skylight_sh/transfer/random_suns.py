@@ -11,16 +11,19 @@ from skylight_sh.runtime import Runtime
 
 Array = NDArray[np.float64]
 
-_CLEAR = 3.0
+CLEAR = 3.0
 """The turbidity of a sun whose table has none."""
 
 
-def random_suns(table: Runtime, bands: int, count: int, seed: int, colour_space: str = "srgb") -> tuple[Array, Array]:
+def random_suns(
+    table: Runtime, bands: int, count: int, seed: int, colour_space: str = "srgb", turbidity: float = CLEAR
+) -> tuple[Array, Array]:
     """Return SH weights of ``count`` random skies and of their suns, each ``(count, 3, N*N)`` in cd/m2.
 
     Every axis of the table is drawn evenly over its range, the sun's azimuth over a turn, by ``seed``. A table of one
-    channel lights red, green and blue alike. The sun is the disc of the sky's turbidity (``sun_disc``), dark where it is in
-    the table already, where the table has no sun that moves, and below the horizon. Raises UserError where the table holds
+    channel lights red, green and blue alike. The sun is the disc of the sky's turbidity (``sun_disc``), or of ``turbidity``
+    where the table has none; dark where it is in the table already, where the table has no sun that moves, and below the
+    horizon. Raises UserError where the table holds
     irradiance, fewer bands, or other channels than one or three.
     """
     spec = table.table.spec
@@ -40,7 +43,7 @@ def random_suns(table: Runtime, bands: int, count: int, seed: int, colour_space:
         zenith = drawn[spec.peak_axis]
         up = zenith <= np.pi / 2
         turned = azimuth if spec.azimuth is None else np.full(count, spec.azimuth)
-        haze = np.clip(drawn.get("turbidity", np.full(count, _CLEAR)), 1.0, 10.0)
+        haze = np.clip(drawn.get("turbidity", np.full(count, turbidity)), 1.0, 10.0)
         sun[up] = sun_disc.weights(zenith[up], turned[up], haze[up], bands, colour_space)
     if len(spec.channels) == 1:
         grey = colour.luminance_row(colour_space) @ sun

@@ -64,8 +64,10 @@ def _advanced(advance: Advance, before: int, total: int, ready: int, _: int) -> 
 
 
 def _dataset(source: MeshSource, mesh: Mesh, transfer: NDArray[np.float64], found: Transfer | None) -> Dataset:
+    direct = transfer[:, 0] if found is None else found.direct
     variables = {
         "transfer": Variable(("vertex", "channel", "weight"), transfer.astype(np.float32), {"long_name": _MEANING}),
+        "direct": Variable(("vertex", "weight"), direct.astype(np.float32), {"long_name": "transfer without bounces"}),
         "position": Variable(("vertex", "axis"), mesh.positions, {"long_name": _AXES, "units": "the mesh's own"}),
         "normal": Variable(("vertex", "axis"), mesh.normals),
         "albedo": Variable(("vertex", "channel"), mesh.albedo, {"long_name": "linear RGB, 0 to 1"}),
