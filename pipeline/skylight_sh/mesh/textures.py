@@ -28,7 +28,7 @@ def slabs(seed: int = 5) -> Array:
         cuts = np.cumsum(random.uniform(0.45, 0.95, 14))
         cuts = cuts[cuts < PAVING_SIDE - 0.4] + random.uniform(0.0, 0.4)
         slab = np.searchsorted(cuts, place) % len(cuts)
-        tint = 0.44 * random.uniform(0.76, 1.12, (len(cuts), 1)) * (1.0 + random.uniform(-0.05, 0.05, (len(cuts), 3)))
+        tint = 0.38 * random.uniform(0.76, 1.12, (len(cuts), 1)) * (1.0 + random.uniform(-0.05, 0.05, (len(cuts), 3)))
         tint *= np.array([1.05, 0.99, 0.90])
         across = np.abs((place[:, np.newaxis] - cuts + 0.5 * PAVING_SIDE) % PAVING_SIDE - 0.5 * PAVING_SIDE).min(axis=1)
         here = (place >= row * _ROW) & (place < (row + 1) * _ROW)

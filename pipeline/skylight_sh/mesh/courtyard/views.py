@@ -36,8 +36,8 @@ BENCH = View(eye=(-5.3, -4.9, 1.75), target=(1.75, 3.2, 1.8), field=40.0)
 MORNING = Hour(ENTRANCE, 11.0, 10.0)
 """A raking sun from the right: the arcade's corner, the ring and a cypress that is not seen lie on the wall as shadows."""
 
-NOON = Hour(ENTRANCE, 52.0, -75.0)
-"""The sun behind the camera, from the south."""
+NOON = Hour(ENTRANCE, 52.0, -60.0)
+"""The sun high in the south-east."""
 
 SUNSET = Hour(BENCH, 7.0, 205.0)
 """The sun beyond the wall, on the arches alone."""
