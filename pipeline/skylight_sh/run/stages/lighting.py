@@ -74,23 +74,30 @@ def picture_form(bands: int) -> Array:
 
 
 def of_picture(form: Array, table: Table, on: Surfaces) -> Array:
-    """Return the relative RMSE ``(sets,)`` of a picture by the table's weights, the sun in the worst of four azimuths.
+    """Return the relative RMSE ``(sets,)`` of a picture by the table's weights against true ones of as many bands.
 
-    Held against true weights of as many bands. A light of one channel lights what is green; a table of irradiance, which
-    transfer is not for, counts as the radiance that it comes from.
+    A table of irradiance, which transfer is not for, counts as the radiance that it comes from: its odd degrees beyond the
+    first are lost.
     """
     rebuilt = np.asarray(table.whole(table.evaluate(on.light.parameters)), dtype=np.float64)
     true = on.whole[..., : table.bands**2]
     if table.spec.windowed:
         true = true * sphere.zonal_sinc(table.bands)
     if table.spec.quantity == "irradiance":
-        # Odd degrees beyond the first are in no irradiance.
         factors = sphere.clamped_cosine(table.bands)
         kept = np.divide(1.0, factors, out=np.zeros_like(factors), where=factors != 0.0)
         rebuilt, true = sphere.scale_degrees(rebuilt, kept), sphere.scale_degrees(true, kept)
-    seen = form if rebuilt.shape[1] == len(form) else form[1:2]
+    return in_picture(form, rebuilt - true, true)
+
+
+def in_picture(form: Array, off: Array, true: Array) -> Array:
+    """Return the relative RMSE ``(sets,)`` of a picture whose light is ``off`` from ``true``, ``(sets, channels, N*N)``.
+
+    The sun stands in the worst of four azimuths. A light of one channel lights what is green.
+    """
+    seen = form if true.shape[1] == len(form) else form[1:2]
     errors = [
-        sensitivity.relative_rmse(seen, *(sphere.rotate_azimuth(part, np.radians(turn)) for part in (rebuilt - true, true)))
+        sensitivity.relative_rmse(seen, *(sphere.rotate_azimuth(part, np.radians(turn)) for part in (off, true)))
         for turn in _AZIMUTHS
     ]
     return np.asarray(np.max(errors, axis=0))
