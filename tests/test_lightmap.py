@@ -19,7 +19,7 @@ from skylight_sh.cli import main
 from skylight_sh.lightmap import evaluation, files, incident, texels
 from skylight_sh.mesh import Mesh, Part
 from skylight_sh.reflectance.brute_force import relative_rms
-from skylight_sh.render import light_paths
+from skylight_sh.render.brute_force import Paths, arriving
 from skylight_sh.render.surface import Points, Surface
 from skylight_sh.studies import lightmaps
 from skylight_sh.studies.materials import environment
@@ -488,9 +488,7 @@ def test_a_baked_street_is_what_paths_find() -> None:
     found = evaluation.evaluate(baked, normals).reshape(-1, 3)
     flat, none = normals.reshape(-1, 3), np.zeros((24, 3))
     points = Points(street.texels.points.reshape(-1, 3), flat, flat, none, none.astype(np.int64), none)
-    light = light_paths.Light(seen.radiance)
-    followed = light_paths.arriving(Surface(street.mesh), points, [light], bounces=4, count=2048, seed=3, first=0)
-    exact = np.pi * followed.bounced.sum(axis=1)[0]
+    exact = np.pi * arriving(Surface(street.mesh), points, seen.radiance, [], Paths(2048, 4, 3), 0)
     assert relative_rms(found, exact) < 0.01
 
 

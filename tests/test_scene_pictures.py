@@ -20,7 +20,8 @@ from skylight_sh.light import spherical_lights
 from skylight_sh.light.preetham import Preetham
 from skylight_sh.mesh import Mesh, Part
 from skylight_sh.render import compared
-from skylight_sh.render.light_paths import Light
+from skylight_sh.render.brute_force import Source
+from skylight_sh.render.emitters import Disc
 from skylight_sh.render.surface import Surface
 from skylight_sh.render.view import View
 from skylight_sh.report import panels, style
@@ -183,7 +184,7 @@ def test_weights_of_a_sun_are_those_of_its_sky() -> None:
     flat = np.sqrt(1 - height**2)[:, np.newaxis]
     up = np.broadcast_to(height[:, np.newaxis], (rows_, columns))
     along = np.stack([flat * np.cos(azimuth), flat * np.sin(azimuth), up], axis=-1).reshape(-1, 3)
-    radiance = sky.light.radiance(along)
+    radiance = sky.source.radiance(along)
     expected = 2 * np.pi / len(along) * radiance.T @ sphere.basis(along, 4)
     assert np.abs(sky.true - expected).max() < 2e-3 * np.abs(expected).max()
     # The brightest direction is the sun's.
@@ -243,9 +244,9 @@ def test_transfer_and_paths_agree_where_bands_are_no_limit() -> None:
     view = View(surface, (0.3, -6.0, 3.0), (0.0, 0.0, 0.2), 35.0, width=16, height=9, side=1)
     # Nothing here looks below the horizon, where paths see black and the expansion does not.
     points = view.points.some(view.points.positions[:, 2] < 1e-6)
-    sky = compared.Sky(Light(radiance), weights, {"table": 1.01 * weights[:, :25]})
+    sky = compared.Sky(Source(radiance), weights, {"table": 1.01 * weights[:, :25]})
     through = compared.through_transfer(on, points, [sky], (3, 5, 7), first=0)
-    paths = compared.by_paths(on, points, [sky.light], count=4096, first=0)
+    paths = compared.by_paths(on, points, [sky.source], count=4096, first=0)
     size = paths["interreflected"].max()
     for bands in (3, 7):
         assert rms(through[f"points {bands}"] - paths["interreflected"]) < 0.01 * size
@@ -267,10 +268,10 @@ def test_the_suns_light_is_sent_on_alike() -> None:
     options = Options(3, 64, 1024, 2, 3)
     on = compared.scene(surface, precompute(surface.mesh, options), options)
     towards = np.array([0.0, -0.6, 0.8])
-    light = Light(np.zeros_like, towards, 0.005, np.full(3, 1e5))
+    disc = Disc(towards, 0.005, np.full(3, 1e5))
     view = View(surface, (0.3, -6.0, 3.0), (0.0, 0.0, 0.2), 35.0, width=16, height=9, side=1)
-    found = view.points.interpolate(compared.sun_sent_on(on, light))
-    paths = compared.by_paths(on, view.points, [light], count=4096, first=0)["interreflected"][0]
+    found = view.points.interpolate(compared.sent_on(on, [disc]))
+    paths = compared.by_paths(on, view.points, [Source(np.zeros_like, [disc])], count=4096, first=0)["interreflected"][0]
     assert np.sqrt(np.mean((found - paths) ** 2) / np.mean(paths**2)) < 0.06
 
 

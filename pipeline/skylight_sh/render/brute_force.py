@@ -32,6 +32,14 @@ class Paths:
     seed: int = 0
 
 
+@dataclass(frozen=True)
+class Source:
+    """What shines: the ``radiance`` ``(k, 3)`` of unit vectors ``(k, 3)``, and ``emitters``."""
+
+    radiance: Callable[[Array], Array]
+    emitters: Sequence[Emitter] = ()
+
+
 def arriving(
     surface: Surface,
     points: Points,
@@ -44,26 +52,49 @@ def arriving(
 
     ``radiance`` gives what comes from unit vectors ``(k, 3)``, ``(k, 3)``; ``first`` tells chunks of points apart.
     """
-    random = generator(paths.seed, _PURPOSE, first)
-    n, count = len(points.positions), paths.count
-    local = cosine_fibonacci(count, start=random.random(), spin=2.0 * np.pi * random.random())
-    along = (local @ frames(points.normals, 2.0 * np.pi * random.random(n)).transpose(0, 2, 1)).reshape(-1, 3)
+    return np.asarray(by_bounces(surface, points, [Source(radiance, emitters)], paths, first)[0].sum(axis=0))
+
+
+def by_bounces(surface: Surface, points: Points, sources: Sequence[Source], paths: Paths, first: int) -> Array:
+    """Return the same of several ``sources`` along one set of paths, ``(sources, bounces + 1, n, 3)``.
+
+    The second axis is the number of surfaces that the light came by.
+    """
+    random, n, count = generator(paths.seed, _PURPOSE, first), len(points.positions), paths.count
+    along = _first(points, count, random)
     starts = np.repeat(surface.starts(points), count, axis=0)
     owner, throughput = np.repeat(np.arange(n), count), np.ones((n * count, 3))
-    total = np.zeros((n, 3))
+    total = np.zeros((len(sources), paths.bounces + 1, n, 3))
     for bounce in range(paths.bounces + 1):
         hits = surface.rays.nearest(starts, along)
         free = ~hits.met
-        total += _sums(owner[free], radiance(along[free]) * throughput[free], n)
+        for k, source in enumerate(sources):
+            total[k, bounce] += _sums(owner[free], source.radiance(along[free]) * throughput[free], n)
         if bounce == paths.bounces:
             break
         met, front = surface.met(hits, along)
         owner, throughput = owner[front], throughput[front] * met.albedo
-        if emitters:
-            unit = random.random((len(owner), 1, 2))
-            total += _sums(owner, straight(surface, met, emitters, unit) * throughput, n)
+        unit = random.random((len(owner), 1, 2))
+        for k, source in enumerate(sources):
+            if source.emitters:
+                total[k, bounce + 1] += _sums(owner, straight(surface, met, source.emitters, unit) * throughput, n)
         starts, along = surface.starts(met), _about(met.normals, random)
-    return np.asarray(total / count)
+    return total / count
+
+
+def unshadowed(points: Points, sources: Sequence[Source], paths: Paths, first: int) -> Array:
+    """Return what would arrive along the same first directions if nothing stood about, ``(sources, n, 3)``."""
+    n, count = len(points.positions), paths.count
+    along = _first(points, count, generator(paths.seed, _PURPOSE, first))
+    owner = np.repeat(np.arange(n), count)
+    return np.stack([_sums(owner, source.radiance(along), n) for source in sources]) / count
+
+
+def _first(points: Points, count: int, random: np.random.Generator) -> Array:
+    """Return the first directions of ``count`` paths from each point, ``(n * count, 3)``."""
+    local = cosine_fibonacci(count, start=random.random(), spin=2.0 * np.pi * random.random())
+    turned = frames(points.normals, 2.0 * np.pi * random.random(len(points.normals)))
+    return np.asarray(local @ turned.transpose(0, 2, 1)).reshape(-1, 3)
 
 
 def _sums(owner: NDArray[np.int64], values: Array, count: int) -> Array:

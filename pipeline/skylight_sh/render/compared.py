@@ -13,16 +13,21 @@ import numpy as np
 from numpy.typing import NDArray
 
 from skylight_sh.mesh.texels import averaged
-from skylight_sh.render.light_paths import Light, arriving, sunlight
+from skylight_sh.render import scene as lit_scene
+from skylight_sh.render.brute_force import Paths, Source, by_bounces
+from skylight_sh.render.brute_force import unshadowed as unshadowed_paths
+from skylight_sh.render.emitters import Emitter
+from skylight_sh.render.sunlight import even, straight
 from skylight_sh.render.surface import Points, Surface
 from skylight_sh.transfer import Options, Transfer, bounced, gather, shadowed, unshadowed
+from skylight_sh.transfer.sampling import generator
 from skylight_sh.transfer.start_points import healing
 
 Array = NDArray[np.float64]
 
-# Of the vertices' own samples.
-_SUN, _SUN_CHUNK = 32, 4096
-_SEED = 1
+_PURPOSE, _SEED = 10, 1
+# Shadow rays of a point.
+_SHADOW = 16
 
 
 @dataclass(frozen=True)
@@ -37,19 +42,12 @@ class Scene:
     transfer: Transfer
     sent: Array
 
-    @property
-    def vertices(self) -> Points:
-        """The vertices, where their rays start."""
-        mesh, count = self.surface.mesh, len(self.surface.mesh.positions)
-        itself, whole = np.repeat(np.arange(count)[:, np.newaxis], 3, axis=1), np.tile([1.0, 0.0, 0.0], (count, 1))
-        return Points(self.transfer.start.points, mesh.normals, mesh.normals, averaged(mesh).albedo, itself, whole)
-
 
 @dataclass(frozen=True)
 class Sky:
     """A light with its SH weights ``(3, N*N)``: ``true`` ones, and others by name, which may have fewer bands."""
 
-    light: Light
+    source: Source
     true: Array
     tables: Mapping[str, Array]
 
@@ -97,35 +95,30 @@ def through_transfer(
     return found
 
 
-def by_paths(on: Scene, points: Points, lights: Sequence[Light], *, count: int, first: int) -> dict[str, Array]:
-    """Return irradiance / pi ``(lights, n, 3)`` at a chunk of ``points`` by name, by ``count`` paths each.
+def by_paths(on: Scene, points: Points, sources: Sequence[Source], *, count: int, first: int) -> dict[str, Array]:
+    """Return irradiance / pi ``(sources, n, 3)`` at a chunk of ``points`` by name, by ``count`` paths each.
 
-    ``unshadowed``, ``shadowed`` and ``interreflected``, straight sunlight left out, and that alone, ``sun``.
+    ``unshadowed``, ``shadowed`` and ``interreflected``, all without what comes straight from emitters, and that alone,
+    ``straight``.
     """
-    seed = on.options.seed + _SEED
-    found = arriving(on.surface, points, lights, bounces=on.options.bounces, count=count, seed=seed, first=first)
+    paths = Paths(count, on.options.bounces, on.options.seed + _SEED)
+    found = by_bounces(on.surface, points, sources, paths, first)
+    shifts = generator(paths.seed, _PURPOSE, first).random((len(points.positions), 2))
+    unit = even(_SHADOW, shifts)
     return {
-        "unshadowed": found.unshadowed,
-        "shadowed": found.bounced[:, 0],
-        "interreflected": found.bounced.sum(axis=1),
-        "sun": found.sun,
+        "unshadowed": unshadowed_paths(points, sources, paths, first),
+        "shadowed": found[:, 0],
+        "interreflected": found.sum(axis=1),
+        "straight": np.stack([straight(on.surface, points, source.emitters, unit) for source in sources]),
     }
 
 
-def sun_sent_on(on: Scene, light: Light) -> Array:
-    """Return irradiance / pi ``(v, 3)`` at the vertices that other surfaces send on of the sun's disc, by ``matrix``."""
-    vertices = on.vertices
-    parts = [slice(start, start + _SUN_CHUNK) for start in range(0, len(vertices.positions), _SUN_CHUNK)]
-    straight = np.concatenate(
-        [
-            sunlight(on.surface, vertices.some(part), light, samples=_SUN, seed=on.options.seed, first=part.start)
-            for part in parts
-        ]
-    )
-    healed = healing(on.surface.mesh, on.transfer.start.buried) @ straight
-    every = bounced(healed, vertices.albedo, on.transfer.matrix, on.options.bounces)
-    # Of every colour of light in every colour of surface, those that belong together.
-    return np.asarray(np.einsum("vcc->vc", every) - healed)
+def sent_on(on: Scene, emitters: Sequence[Emitter]) -> Array:
+    """Return irradiance / pi ``(v, 3)`` at the vertices by light of ``emitters`` that other surfaces send on."""
+    mesh, found = on.surface.mesh, on.transfer
+    between = lit_scene.Surroundings(found.start.points, healing(mesh, found.start.buried), found.matrix, on.options.bounces)
+    whole = lit_scene.Scene(on.surface, averaged(mesh).albedo, found.transfer, between)
+    return lit_scene.sunlight_sent_on(whole, emitters, on.options.seed)
 
 
 def _off(weights: Array, true: Array) -> Array:

@@ -16,8 +16,9 @@ from skylight_sh.light.preetham import Preetham
 from skylight_sh.quadrature import sampling
 from skylight_sh.quadrature.registry import suited
 from skylight_sh.render import tone
+from skylight_sh.render.brute_force import Source
 from skylight_sh.render.compared import Sky
-from skylight_sh.render.light_paths import Light
+from skylight_sh.render.emitters import Disc
 from skylight_sh.run.from_config import read_table
 from skylight_sh.run.plan import Inputs
 from skylight_sh.runtime import Table
@@ -65,17 +66,16 @@ def sky_of(config: Config, tables: dict[str, Table], sun: Sun, bands: int) -> Sk
         for name, table in tables.items()
     }
     turned = {name: _turned(weights, azimuth) for name, weights in own.items()}
-    return Sky(Light(_radiance(config, values, azimuth)), _turned(true, azimuth), turned)
+    return Sky(Source(_radiance(config, values, azimuth)), _turned(true, azimuth), turned)
 
 
-def disc_of(config: Config, sun: Sun) -> Light:
+def disc_of(config: Config, sun: Sun) -> Disc:
     """Return the sun's disc alone, dimmed by the air of the same turbidity."""
     light = config.light
     space = light.colour_space if isinstance(light, Preetham) else "srgb"
-    azimuth = np.radians(sun.azimuth)
-    flat = np.sin(sun.zenith)
+    azimuth, flat = np.radians(sun.azimuth), np.sin(sun.zenith)
     towards = np.array([flat * np.cos(azimuth), flat * np.sin(azimuth), np.cos(sun.zenith)])
-    return Light(np.zeros_like, towards, sun_disc.HALF_ANGLE, sun_disc.radiance(sun.zenith, TURBIDITY, space))
+    return Disc(towards, sun_disc.HALF_ANGLE, sun_disc.radiance(sun.zenith, TURBIDITY, space))
 
 
 def lux_of(weights: Array) -> float:
@@ -88,11 +88,9 @@ def lux_of(weights: Array) -> float:
     return float(weights[:, 2] @ tone.LUMINANCE * np.sqrt(4.0 * np.pi / 3.0))
 
 
-def lux_of_disc(light: Light) -> float:
+def lux_of_disc(disc: Disc) -> float:
     """Return the illuminance on the ground of a sun's disc."""
-    if light.sun is None or light.disc is None:
-        return 0.0
-    return float(np.pi * np.sin(light.half_angle) ** 2 * max(light.sun[2], 0.0) * (light.disc @ tone.LUMINANCE))
+    return float(np.pi * np.sin(disc.half_angle) ** 2 * max(disc.direction[2], 0.0) * (disc.radiance @ tone.LUMINANCE))
 
 
 def _turned(weights: Array, azimuth: float) -> Array:
@@ -106,7 +104,8 @@ def _radiance(config: Config, values: Array, azimuth: float) -> Callable[[Array]
     turn = np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
 
     def radiance(along: Array) -> Array:
-        found: Array = light.radiance(along @ turn, parameters)
+        found, above = np.zeros(along.shape), along[..., 2] > 0.0
+        found[above] = light.radiance(along[above] @ turn, parameters)
         return found
 
     return radiance

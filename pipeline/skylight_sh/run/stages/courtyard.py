@@ -13,8 +13,9 @@ from skylight_sh.config.schema import Config
 from skylight_sh.mesh.courtyard import ENTRANCE, courtyard
 from skylight_sh.mesh.texels import averaged
 from skylight_sh.render import compared, tone
+from skylight_sh.render.brute_force import Source
 from skylight_sh.render.compared import Scene, Sky
-from skylight_sh.render.light_paths import Light
+from skylight_sh.render.emitters import Disc
 from skylight_sh.render.surface import Points, Surface
 from skylight_sh.render.view import View
 from skylight_sh.run.executors import Advance, map_tasks
@@ -63,7 +64,7 @@ def _light(
     scene: Scene,
     points: Points,
     skies: Sequence[Sky],
-    discs: Sequence[Light],
+    discs: Sequence[Disc],
     mapped: Callable[[Callable[[Any], Any], Sequence[Any]], list[Any]],
 ) -> dict[str, Array]:
     """Return irradiance / pi ``(lights, points, 3)`` by name; brute force of either half of its paths."""
@@ -76,21 +77,21 @@ def _light(
     )
     at_points = Scene(scene.surface, per_point, scene.transfer, scene.sent)
     half = max(1, asked.paths // _SIDE**2 // 2)
-    lights = [*(sky.light for sky in skies), *discs]
+    sources = [*(sky.source for sky in skies), *(Source(np.zeros_like, [disc]) for disc in discs)]
     count = len(points.positions)
 
     def task(part: slice) -> dict[str, Array]:
         some = points.some(part)
         done = compared.through_transfer(at_points, some, skies, BANDS, first=part.start)
         for turn in range(2):
-            by = compared.by_paths(scene, some, lights, count=half, first=part.start + turn * count)
+            by = compared.by_paths(scene, some, sources, count=half, first=part.start + turn * count)
             done |= {f"paths {turn} {name}": values for name, values in by.items()}
         return done
 
     parts = [slice(start, min(start + _CHUNK, count)) for start in range(0, count, _CHUNK)]
     results = mapped(task, parts)
     lit = {name: np.concatenate([one[name] for one in results], axis=1) for name in results[0]}
-    bounced = mapped(lambda disc: compared.sun_sent_on(scene, disc), discs)
+    bounced = mapped(lambda disc: compared.sent_on(scene, [disc]), discs)
     lit["sun sent on"] = np.stack([points.interpolate(one) for one in bounced])
     return lit
 
@@ -101,13 +102,13 @@ class _Compared:
     def __init__(self, view: View) -> None:
         self.view = view
 
-    def variables(self, skies: Sequence[Sky], discs: Sequence[Light], lit: Mapping[str, Array]) -> dict[str, Variable]:
+    def variables(self, skies: Sequence[Sky], discs: Sequence[Disc], lit: Mapping[str, Array]) -> dict[str, Variable]:
         """Return pictures in sRGB, and errors over the pixels that show the courtyard."""
         count = len(skies)
         found: dict[str, Variable] = {}
         for sun, (name, k) in enumerate(zip(("day", "sunset"), _SHINING, strict=True)):
             # Straight sunlight is the same in all of them, by shadow rays: no few bands could hold it.
-            straight = 0.5 * (lit["paths 0 sun"] + lit["paths 1 sun"])[count + sun]
+            straight = 0.5 * (lit["paths 0 straight"] + lit["paths 1 straight"])[count + sun]
             bounced = [lit[f"paths {turn} interreflected"] for turn in range(2)]
             halves = [half[k] + half[count + sun] + straight for half in bounced]
             through = {f"{n}": lit[f"interreflected {n}"][k] + lit["sun sent on"][sun] + straight for n in BANDS}
@@ -160,8 +161,7 @@ class _Compared:
     ) -> dict[str, Variable]:
         """Return pictures of irradiance / pi by name before the sky, beside two halves of ``paths``."""
         along = self.view.along[~self.view.seen]
-        behind = np.zeros(along.shape)
-        behind[along[:, 2] > 0.0] = sky.light.radiance(along[along[:, 2] > 0.0])
+        behind = sky.source.radiance(along)
         radiance = {key: self.view.picture(self.view.points.albedo * values, behind) for key, values in lit.items()}
         one, other = (self.view.picture(self.view.points.albedo * half, behind) for half in halves)
         shown = {**radiance, "paths": 0.5 * (one + other)}

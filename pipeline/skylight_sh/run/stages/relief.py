@@ -42,14 +42,9 @@ def make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
     sky = sky_of(config, {}, _MORNING, 2)
     relief, albedo = bricks(width, height)
 
-    def radiance(along: Array) -> Array:
-        found, above = np.zeros(along.shape), along[..., 2] > 0.0
-        found[above] = sky.light.radiance(along[above])
-        return found
-
     coarse = wall(max(2, width // _COARSE), max(2, height // _COARSE))
     sampling = incident.Sampling(asked.rays, seed=_SEED)
-    baked = incident.bake(mesh, rays, coarse, radiance, leaving, max(BANDS), sampling)
+    baked = incident.bake(mesh, rays, coarse, sky.source.radiance, leaving, max(BANDS), sampling)
     lit = {}
     for bands in BANDS:
         lit[str(bands)] = evaluation.shade(evaluation.of(coarse, baked[..., : bands**2]), relief, "clamped")
@@ -59,7 +54,7 @@ def make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
         places = wall(columns, rows, row)
         turned = texels.world_normals(places.frames[..., np.newaxis, :, :], _grouped(relief, row))
         many = incident.Sampling(2 * asked.rays, seed=_SEED + 1 + row)
-        found = incident.irradiance(mesh, rays, places, turned, radiance, leaving, many)
+        found = incident.irradiance(mesh, rays, places, turned, sky.source.radiance, leaving, many)
         return found.reshape(1, columns, _SHARED, _SHARED, 3).swapaxes(1, 2).reshape(_SHARED, _SHARED * columns, 3)
 
     found = map_tasks(exactly, range(rows), executor="threads", workers=config.run.workers, advance=advance)

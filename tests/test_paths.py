@@ -11,12 +11,14 @@ from skylight_sh.mesh import Mesh, Part
 from skylight_sh.mesh.texels import averaged
 from skylight_sh.quadrature import sampling
 from skylight_sh.render import sensitivity
-from skylight_sh.render.light_paths import Light, arriving, sunlight
+from skylight_sh.render.brute_force import Paths, Source, by_bounces, unshadowed
+from skylight_sh.render.emitters import Disc
+from skylight_sh.render.sunlight import even, straight
 from skylight_sh.render.surface import Points, Surface
 from skylight_sh.sphere import Harmonics
 
 Array = NDArray[np.float64]
-EVEN = Light(lambda along: np.ones((len(along), 3)))
+EVEN = Source(lambda along: np.where(along[:, 2:] > 0.0, np.ones(3), 0.0))
 
 
 def mesh(positions: Array, triangles: NDArray[np.int64], normals: Array, albedo: float, uv: Array | None = None) -> Mesh:
@@ -59,21 +61,20 @@ def test_every_bounce_in_a_bowl_below_an_even_sky() -> None:
     towards = np.array([[0.0, 0.0, -1.0], [0.5, 0.0, -0.8], [0.0, -0.9, -0.5], [-0.6, 0.6, -0.6]])
     towards /= np.linalg.norm(towards, axis=1, keepdims=True)
     points = looked_at(surface, np.zeros((4, 3)), towards)
-    found = arriving(surface, points, [EVEN], bounces=3, count=8192, seed=1, first=0)
+    paths = Paths(8192, 3, 1)
+    found = by_bounces(surface, points, [EVEN], paths, 0)
     for bounce in range(4):
-        assert np.abs(found.bounced[0, bounce] - 0.5 * 0.4**bounce).max() < 6e-3
+        assert np.abs(found[0, bounce] - 0.5 * 0.4**bounce).max() < 6e-3
     # Half of what is about a steep wall is below the horizon, and black.
     height = points.normals[:, 2:]
-    assert np.abs(found.unshadowed[0] - 0.5 * (1 + height)).max() < 6e-3
-    assert not found.sun.any()
+    assert np.abs(unshadowed(points, [EVEN], paths, 0)[0] - 0.5 * (1 + height)).max() < 6e-3
 
 
 def test_what_arrives_hangs_on_the_chunk_alone() -> None:
     surface = Surface(bowl(0.5, 12, 24))
     points = looked_at(surface, np.zeros((2, 3)), np.array([[0.0, 0.6, -0.8], [0.6, 0.0, -0.8]]))
     one, same, other = (
-        arriving(surface, points, [EVEN], bounces=1, count=64, seed=seed, first=first).bounced
-        for seed, first in ((3, 7), (3, 7), (3, 8))
+        by_bounces(surface, points, [EVEN], Paths(64, 1, seed), first) for seed, first in ((3, 7), (3, 7), (3, 8))
     )
     assert np.array_equal(one, same)
     assert not np.array_equal(one, other)
@@ -85,7 +86,7 @@ def test_the_sky_on_an_open_floor() -> None:
     lights, expected = [], []
     for tau in (2.5, 5.0):
         parameters = {"sun_zenith": np.array([theta]), "turbidity": np.array([tau])}
-        lights.append(Light(lambda along, known=parameters: sky.radiance(along, known)))
+        lights.append(Source(lambda along, known=parameters: sky.radiance(along, known)))
         harmonics = Harmonics.even(3)
         job = sampling.Job(sky, ("sun_zenith", "turbidity"), np.array([[[theta, tau]]]), 64, harmonics, "sun-centred")
         weights = np.asarray(harmonics.unmirror(sampling.project_block(job).weights[0, 0]))
@@ -93,15 +94,16 @@ def test_the_sky_on_an_open_floor() -> None:
         expected.append(weights[:, 2] * np.sqrt(4 * np.pi / 3) / np.pi)
     surface = Surface(floor(1.0))
     point = looked_at(surface, np.array([[0.2, 0.1, 1.0]]), np.array([[0.0, 0.0, -1.0]]))
-    found = arriving(surface, point, lights, bounces=0, count=16384, seed=2, first=0)
-    assert np.abs(found.bounced[:, 0, 0] / np.array(expected) - 1).max() < 5e-3
-    assert np.array_equal(found.bounced[:, 0], found.unshadowed)
+    paths = Paths(16384, 0, 2)
+    found = by_bounces(surface, point, lights, paths, 0)
+    assert np.abs(found[:, 0, 0] / np.array(expected) - 1).max() < 5e-3
+    assert np.array_equal(found[:, 0], unshadowed(point, lights, paths, 0))
 
 
 def test_the_sun_on_the_floor_and_behind_a_screen() -> None:
     theta, disc = 0.7, np.array([3.0, 2.0, 1.0]) * 1e9
     towards = np.array([np.sin(theta), 0.0, np.cos(theta)])
-    sun = Light(lambda along: np.zeros(along.shape), towards, sun_disc.HALF_ANGLE, disc)
+    sun = Disc(towards, sun_disc.HALF_ANGLE, disc)
     low, high = floor(10.0), floor(1.0, 2.0)
     both = Mesh(
         np.concatenate([low.positions, high.positions]),
@@ -117,7 +119,7 @@ def test_the_sun_on_the_floor_and_behind_a_screen() -> None:
     edge = -1.0 - shadow
     eyes = np.array([[5.0, 5.0, 1.0], [-shadow, 0.0, 1.0], [edge, 0.0, 1.0]])
     points = looked_at(surface, eyes, np.tile([0.0, 0.0, -1.0], (3, 1)))
-    found = sunlight(surface, points, sun, samples=512, seed=1, first=0)
+    found = straight(surface, points, [sun], even(512, np.full((3, 2), 0.3)))
     whole = disc * np.sin(sun_disc.HALF_ANGLE) ** 2 * np.cos(theta)
     assert np.abs(found[0] / whole - 1).max() < 1e-4
     assert not found[1].any()
@@ -128,15 +130,15 @@ def test_the_sun_on_the_floor_and_behind_a_screen() -> None:
 def test_the_sun_bounces_off_what_it_shines_on() -> None:
     """In a bowl with the sun straight above, the first bounce is that of an even diffuser: albedo times its mean."""
     disc = np.full(3, 1e6)
-    sun = Light(lambda along: np.zeros(along.shape), np.array([0.0, 0.0, 1.0]), sun_disc.HALF_ANGLE, disc)
+    sun = Source(np.zeros_like, [Disc(np.array([0.0, 0.0, 1.0]), sun_disc.HALF_ANGLE, disc)])
     surface = Surface(bowl(0.6))
     points = looked_at(surface, np.zeros((1, 3)), np.array([[0.3, 0.0, -0.95]]))
-    found = arriving(surface, points, [sun], bounces=1, count=8192, seed=4, first=0)
+    found = by_bounces(surface, points, [sun], Paths(8192, 1, 4), 0)
     # A point of a sphere sends the same to every other one: a mean over the half's area, over twice that area.
     direct = disc * np.sin(sun_disc.HALF_ANGLE) ** 2
     expected = 0.6 * 0.5 * direct * 0.5
-    assert np.abs(found.bounced[0, 1, 0] / expected - 1).max() < 0.02
-    assert not found.bounced[0, 0].any()
+    assert np.abs(found[0, 1, 0] / expected - 1).max() < 0.02
+    assert not found[0, 0].any()
 
 
 def test_textures_colour_points_and_their_mean_vertices() -> None:
