@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from skylight_sh.mesh.courtyard._vault import HALF_PIER, SPRING, THICK, TOP, WALL, Arcade, doorway
+from skylight_sh.mesh.courtyard._vault import SPRING, THICK, TOP, WALL, Arcade, doorway
 from skylight_sh.mesh.shapes import Piece, box, joined, lathe, prism, sheet, strip
 
 Array = NDArray[np.float64]
@@ -110,4 +110,4 @@ def door(plan: Arcade, detail: float) -> tuple[Piece, Piece]:
     return joined(frame).moved(place), leaves.moved((x, y, 0.0)).moved(place)
 
 
-__all__ = ["HALF_PIER", "column", "columns", "cornice", "door", "pier", "roof"]
+__all__ = ["column", "columns", "cornice", "door", "pier", "roof"]

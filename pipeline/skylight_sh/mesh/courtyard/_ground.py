@@ -18,6 +18,8 @@ Area = tuple[float, float, float, float]
 
 # Rings of vertices about what stands on a floor, metres from its foot.
 _RINGS: tuple[float, ...] = (0.01, 0.05, 0.12, 0.25, 0.45)
+# By how many metres a ring's vertices are further apart for each metre that it is from its foot.
+_APART = 0.45
 # Metres: an edge that is a wall's.
 _LONG = 3.0
 
@@ -63,13 +65,10 @@ def box_foot(west: float, south: float, east: float, north: float) -> Foot:
     return Foot(np.array([[west, south], [east, south], [east, north], [west, north]]))
 
 
-def floor(
-    area: Area, height: float, spacing: float, feet: Sequence[Foot], *, dense: Area | None = None, step: float = 0.45
-) -> Piece:
+def floor(area: Area, height: float, spacing: float, feet: Sequence[Foot], *, dense: Area | None = None) -> Piece:
     """Return a level floor over ``(west, south, east, north)`` with vertices about ``feet`` and none beneath them.
 
-    Outside ``dense``, if given, vertices of the lattice are twice as far apart. ``step`` is by how many metres a ring's
-    vertices are further apart for each metre that it is from its foot.
+    Outside ``dense``, if given, vertices of the lattice are twice as far apart.
     """
     inner = _lattice(area, spacing)
     if dense is not None:
@@ -77,7 +76,7 @@ def floor(
         inner = np.concatenate([inner[_within(inner, dense)], coarse[~_within(coarse, dense)]])
     rings = []
     for i, distance in enumerate(_RINGS):
-        apart = min(spacing, 0.3 * spacing + step * distance)
+        apart = min(spacing, 0.3 * spacing + _APART * distance)
         # One ring gives way to another foot's nearer ones.
         for number, foot in enumerate(feet):
             points = foot.beyond(distance, apart)
