@@ -17,7 +17,16 @@ if TYPE_CHECKING:
     from skylight_sh.config.views_schema import ViewSection
 
 
-@click.command()
+@click.command(
+    epilog="""\b
+Examples:
+  skylight-sh render courtyard                              its first view: morning.png
+  skylight-sh render courtyard --sun 12,-15 --turbidity 4   another sun, in hazier air
+  skylight-sh render courtyard --slices 8 --output day.png  a day in one picture
+  skylight-sh render courtyard --brute-force --output truth.exr
+  skylight-sh render courtyard --time 2026-06-21T20:30 --place 48.2,16.4 \\
+    --timezone Europe/Vienna"""
+)
 @click.argument("config")
 @click.option("--view", "name", help="Name of a [[views]] table of the config; the first one if it is not given.")
 @click.option("--output", type=click.Path(dir_okay=False, path_type=Path), help="File to write, .png or .exr; VIEW.png.")
@@ -66,18 +75,10 @@ def render(
     workers: int,
     store: Path,
 ) -> None:
-    r"""Render a view of CONFIG: its mesh, lit by one of its tables through precomputed transfer.
+    """Render a view of CONFIG: its mesh, lit by one of its tables through precomputed transfer.
 
     The sun's disc and lamps shine by shadow rays, and on by as many bounces as the sky's light. What the store lacks is
     computed first: the table (seconds) and the mesh's transfer (about 10 s for 20,000 vertices), once.
-
-    \b
-    Examples:
-      skylight-sh render courtyard                                   its first view, as VIEW.png
-      skylight-sh render courtyard --sun 12,-15 --turbidity 4        another sun, in hazier air
-      skylight-sh render courtyard --time 2026-06-21T20:30 --place 48.2,16.4 --timezone Europe/Vienna
-      skylight-sh render courtyard --slices 8 --output day.png       a day in one picture
-      skylight-sh render courtyard --brute-force --output truth.exr  without table and transfer, in linear light
     """
     from skylight_sh import UserError
     from skylight_sh.cli.evaluate import assignments
