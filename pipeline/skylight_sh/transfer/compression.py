@@ -38,7 +38,7 @@ _MATRIX_BITS = 24
 _NOISE = 2.0**-30
 # Lights count more, the more of theirs is lost: made least is the sum of these powers of what skies alone lose, and skies
 # with the sun's bounces. The high power serves the worst suns, those where one sunlit wall's bounces are most of all light.
-_POWERS = np.array([[2.0], [10.0]])
+_POWERS = np.array([[2.5], [10.0]])
 # Losses that weigh the same.
 _BALANCE = np.array([[0.011], [0.0165]])
 # In each round importance goes this share of the way.
