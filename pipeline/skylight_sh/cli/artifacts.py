@@ -19,11 +19,13 @@ def artifacts() -> None:
 @artifacts.command("ls")
 @options.store
 def list_artifacts(store: Path) -> None:
-    """List every artifact: stage, key, size."""
+    """List every artifact: stage, key, size; and those that a stopped run left unfinished."""
     from skylight_sh.store.store import Store
 
     for entry in Store(store).entries():
         click.echo(f"{entry.stage:<8} {entry.key} {entry.size:>10}")
+    for entry, count in Store(store).unfinished():
+        click.echo(f"{entry.stage:<8} {entry.key} {entry.size:>10} unfinished, {count} blocks")
 
 
 @artifacts.command()
@@ -77,7 +79,7 @@ def verify_artifacts(store: Path) -> None:
 @artifacts.command()
 @options.store
 def gc(store: Path) -> None:
-    """Delete artifacts that no run's last result uses, and temporary files an hour old."""
+    """Delete artifacts that no run's last result uses, and blocks and temporary files an hour old."""
     from skylight_sh.store.store import Store
 
     freed = 0

@@ -86,6 +86,14 @@ class Store:
         ]
         return sorted(found, key=lambda e: (e.stage, e.key))
 
+    def unfinished(self) -> list[tuple[Entry, int]]:
+        """Return the artifacts that are not whole yet, each with the number of its finished blocks."""
+        found = []
+        for folder in sorted(self.root.glob(f"*/*{SUFFIX}")):
+            sizes = [path.stat().st_size for path in folder.glob("[!.]*.h5")]
+            found.append((Entry(folder.parent.name, folder.stem, folder, sum(sizes)), len(sizes)))
+        return found
+
     def find(self, start: str) -> Entry:
         """Return the artifact whose key starts with ``start``. Raises KeyError where none or several do."""
         matches = [e for e in self.entries() if e.key.startswith(start)] if start else []

@@ -76,7 +76,13 @@ def _dataset(source: MeshSource, mesh: Mesh, transfer: NDArray[np.float64], foun
         "part": Variable(("triangle_index",), mesh.part.astype(np.int32)),
         "part_name": Variable(("part_index",), np.array([part.name for part in mesh.parts], dtype=object)),
         "channel": Variable(("channel",), np.array(["red", "green", "blue"], dtype=object)),
+        "axis": Variable(("axis",), np.array(["x", "y", "z"], dtype=object)),
+        "coordinate": Variable(("coordinate",), np.array(["u", "v"], dtype=object)),
     }
+    # Readers of netCDF want a coordinate for every dimension where one has any.
+    counts = {"vertex": len(mesh.positions), "weight": transfer.shape[2], "corner": 3}
+    counts |= {"triangle_index": len(mesh.triangles), "part_index": len(mesh.parts)}
+    variables |= {name: Variable((name,), np.arange(count, dtype=np.int32)) for name, count in counts.items()}
     attrs = {"bands": source.options.bands, "basis": _BASIS, "axes": _AXES}
     if found is None:
         return Dataset(variables, attrs | {"error": 0.0, "bounces": 0, "rays": 0})
