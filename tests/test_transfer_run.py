@@ -1,9 +1,8 @@
-"""The stage and the command ``transfer``: their file, blocks that a killed run keeps, and bytes that hang on nothing else."""
+"""The stage and the command ``transfer``: their file, blocks that a killed run keeps, and bytes without a doubt."""
 
 from __future__ import annotations
 
 import os
-import random
 import signal
 import subprocess
 import sys
@@ -52,7 +51,7 @@ def whole(scene: Path, tmp_path_factory: pytest.TempPathFactory) -> bytes:
     return made(scene, tmp_path_factory.mktemp("whole"), "--workers", "1")
 
 
-def test_the_file_is_opened_by_xarray(scene: Path, whole: bytes, tmp_path: Path) -> None:
+def test_the_file_is_opened_by_xarray(whole: bytes, tmp_path: Path) -> None:
     path = tmp_path / "t.h5"
     path.write_bytes(whole)
     with xarray.open_dataset(path, engine="h5netcdf") as found:
@@ -93,7 +92,7 @@ def killed(scene: Path, folder: Path, after: int, delay: float) -> None:
 
 def test_a_killed_run_goes_on_from_its_blocks(scene: Path, whole: bytes, tmp_path: Path) -> None:
     """Killed three times while it computes, then run to the end: no block is made twice, and no byte differs."""
-    draw = random.Random(7)
+    draw = np.random.default_rng(7)
     kept: dict[str, tuple[int, bytes]] = {}
     for after in (1, 4, 7):
         killed(scene, tmp_path, after, draw.uniform(0.0, 0.03))
