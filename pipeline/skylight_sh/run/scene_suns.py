@@ -44,8 +44,9 @@ class Sun:
         return float(np.radians(90.0 - self.height))
 
 
-# Midday from the south, morning from the side, and sunset.
-SUNS = (Sun(52.0, -60.0), Sun(10.0, -20.0), Sun(2.0, -135.0))
+# At noon, in the morning, and on the horizon, whose skies errors are told of; and as the sun sets on the arches alone.
+SUNS = (Sun(52.0, -75.0), Sun(10.0, 10.0), Sun(2.0, -155.0))
+SUNSET = Sun(7.0, -155.0)
 
 
 def tables_of(config: Config, inputs: Inputs) -> dict[str, Table]:

@@ -11,7 +11,7 @@ from skylight_sh.report.report_data import ReportData
 CAPTION = (
     "Figures 1 and 5 of Habel, Mustata and Wimmer 2008 show a scene lit by five SH bands, by day and at sunset, with "
     "directional sunlight, soft shadows and Reinhard's tone mapper, and no other picture to hold it against. Here is a "
-    "courtyard with the sun 52 degrees high, and 2: lit by this run's recommended table through precomputed transfer, in "
+    "courtyard with the sun 52 degrees high, and 7: lit by this run's recommended table through precomputed transfer, in "
     "3, 5 and 7 bands, and beside it by paths through the sky itself. Straight sunlight comes by shadow rays in all of "
     "them, its bounces through the same matrix as the sky's, or by paths. In per cent: relative RMSE of linear light over "
     "what is not sky; and the mean of FLIP, which is what an eye sees of the difference, from 0 to 1."

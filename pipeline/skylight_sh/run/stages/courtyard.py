@@ -10,7 +10,9 @@ from numpy.typing import NDArray
 
 from skylight_sh.config.scenes_schema import ScenesSection
 from skylight_sh.config.schema import Config
-from skylight_sh.mesh.courtyard import ENTRANCE, courtyard
+from skylight_sh.mesh.courtyard import courtyard
+from skylight_sh.mesh.courtyard.views import BENCH, ENTRANCE
+from skylight_sh.mesh.courtyard.views import View as Place
 from skylight_sh.mesh.texels import averaged
 from skylight_sh.render import compared, tone
 from skylight_sh.render.brute_force import Source
@@ -21,7 +23,7 @@ from skylight_sh.render.view import View
 from skylight_sh.run.executors import Advance, map_tasks
 from skylight_sh.run.plan import Inputs
 from skylight_sh.run.scene_pictures import compared_with
-from skylight_sh.run.scene_suns import SUNS, disc_of, lux_of, lux_of_disc, sky_of, tables_of
+from skylight_sh.run.scene_suns import SUNS, SUNSET, disc_of, lux_of, lux_of_disc, sky_of, tables_of
 from skylight_sh.store.dataset import Dataset, Variable
 from skylight_sh.transfer import Options, precompute
 
@@ -30,20 +32,13 @@ Array = NDArray[np.float64]
 BANDS = (3, 5, 7)
 # Points of a pixel, either way, and points of a task.
 _SIDE, _CHUNK = 2, 256
-# Of the suns, whose discs shine too: by day and at sunset.
-_SHINING = (0, 2)
-_MORNING = 1
+_NOON, _MORNING = 0, 1
 
 
 def make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
     """Light the courtyard every way."""
     asked = config.report.scenes or ScenesSection.model_construct()
     surface = Surface(courtyard())
-    view = View(
-        surface, ENTRANCE.eye, ENTRANCE.target, ENTRANCE.field, width=asked.width, height=asked.width * 9 // 16, side=_SIDE
-    )
-    skies = [sky_of(config, tables_of(config, inputs), sun, max(BANDS)) for sun in SUNS]
-    discs = [disc_of(config, SUNS[k]) for k in _SHINING]
     options = Options(max(BANDS), asked.rays, max(8, asked.rays // 4), asked.bounces)
 
     def mapped(function: Callable[[Any], Any], items: Sequence[Any]) -> list[Any]:
@@ -51,12 +46,24 @@ def make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
         return map_tasks(function, items, executor="threads", workers=config.run.workers, advance=advance)
 
     found = precompute(surface.mesh, options, mapped)
-    lit = _light(asked, compared.scene(surface, found, options), view.points, skies, discs, mapped)
-    pictures = _Compared(view).variables(skies, discs, lit)
+    scene, tables = compared.scene(surface, found, options), tables_of(config, inputs)
+    by_day, at_sunset = (_seen(surface, view, asked) for view in (ENTRANCE, BENCH))
+    skies = [sky_of(config, tables, sun, max(BANDS)) for sun in SUNS]
+    lit = _light(asked, scene, by_day.view.points, skies, disc_of(config, SUNS[_NOON]), mapped)
+    variables = by_day.in_sunlight("day", skies, _NOON, disc_of(config, SUNS[_NOON]), lit)
+    variables |= by_day.by_skylight(skies, lit) | by_day.sources(lit, len(skies))
     # What another step's wall receives from the rest of the courtyard.
     leaving = averaged(surface.mesh).albedo * np.einsum("vcw,cw->vc", found.transfer, skies[_MORNING].true)
-    variables = {**pictures, "leaving": Variable(("vertex", "channel"), leaving)}
+    variables["leaving"] = Variable(("vertex", "channel"), leaving)
+    evening, disc = [sky_of(config, tables, SUNSET, max(BANDS))], disc_of(config, SUNSET)
+    lit = _light(asked, scene, at_sunset.view.points, evening, disc, mapped)
+    variables |= at_sunset.in_sunlight("sunset", evening, 0, disc, lit)
     return Dataset(variables, {"vertices": len(found.direct), "transfer_error": found.error})
+
+
+def _seen(surface: Surface, view: Place, asked: ScenesSection) -> _Compared:
+    height = asked.width * 9 // 16
+    return _Compared(View(surface, view.eye, view.target, view.field, width=asked.width, height=height, side=_SIDE))
 
 
 def _light(
@@ -64,10 +71,13 @@ def _light(
     scene: Scene,
     points: Points,
     skies: Sequence[Sky],
-    discs: Sequence[Disc],
+    disc: Disc,
     mapped: Callable[[Callable[[Any], Any], Sequence[Any]], list[Any]],
 ) -> dict[str, Array]:
-    """Return irradiance / pi ``(lights, points, 3)`` by name; brute force of either half of its paths."""
+    """Return irradiance / pi ``(lights, points, 3)`` by name, the disc the last of the lights.
+
+    Brute force is there twice, by either half of its paths.
+    """
     per_point = Options(
         scene.options.bands,
         max(2, scene.options.rays // _SIDE**2),
@@ -77,7 +87,7 @@ def _light(
     )
     at_points = Scene(scene.surface, per_point, scene.transfer, scene.sent)
     half = max(1, asked.paths // _SIDE**2 // 2)
-    sources = [*(sky.source for sky in skies), *(Source(np.zeros_like, [disc]) for disc in discs)]
+    sources = [*(sky.source for sky in skies), Source(np.zeros_like, [disc])]
     count = len(points.positions)
 
     def task(part: slice) -> dict[str, Array]:
@@ -91,8 +101,7 @@ def _light(
     parts = [slice(start, min(start + _CHUNK, count)) for start in range(0, count, _CHUNK)]
     results = mapped(task, parts)
     lit = {name: np.concatenate([one[name] for one in results], axis=1) for name in results[0]}
-    bounced = mapped(lambda disc: compared.sent_on(scene, [disc]), discs)
-    lit["sun sent on"] = np.stack([points.interpolate(one) for one in bounced])
+    lit["sent on"] = points.interpolate(compared.sent_on(scene, [disc]))
     return lit
 
 
@@ -102,24 +111,27 @@ class _Compared:
     def __init__(self, view: View) -> None:
         self.view = view
 
-    def variables(self, skies: Sequence[Sky], discs: Sequence[Disc], lit: Mapping[str, Array]) -> dict[str, Variable]:
-        """Return pictures in sRGB, and errors over the pixels that show the courtyard."""
-        count = len(skies)
+    def in_sunlight(
+        self, name: str, skies: Sequence[Sky], k: int, disc: Disc, lit: Mapping[str, Array]
+    ) -> dict[str, Variable]:
+        """Return pictures of sky ``k`` and the sun's disc, in sRGB, and their errors."""
+        # Straight sunlight is the same in all of them, by shadow rays: no few bands could hold it.
+        straight = 0.5 * (lit["paths 0 straight"] + lit["paths 1 straight"])[-1]
+        bounced = [lit[f"paths {turn} interreflected"] for turn in range(2)]
+        halves = [half[k] + half[-1] + straight for half in bounced]
+        through = {f"{n}": lit[f"interreflected {n}"][k] + lit["sent on"] + straight for n in BANDS}
+        return self._pictures(name, skies[k], through, halves, lux_of(skies[k].true) + lux_of_disc(disc))
+
+    def by_skylight(self, skies: Sequence[Sky], lit: Mapping[str, Array]) -> dict[str, Variable]:
+        """Return pictures of the morning's sky alone, unshadowed, shadowed and interreflected, and their errors."""
         found: dict[str, Variable] = {}
-        for sun, (name, k) in enumerate(zip(("day", "sunset"), _SHINING, strict=True)):
-            # Straight sunlight is the same in all of them, by shadow rays: no few bands could hold it.
-            straight = 0.5 * (lit["paths 0 straight"] + lit["paths 1 straight"])[count + sun]
-            bounced = [lit[f"paths {turn} interreflected"] for turn in range(2)]
-            halves = [half[k] + half[count + sun] + straight for half in bounced]
-            through = {f"{n}": lit[f"interreflected {n}"][k] + lit["sun sent on"][sun] + straight for n in BANDS}
-            found |= self._pictures(name, skies[k], through, halves, lux_of(skies[k].true) + lux_of_disc(discs[sun]))
         for name in ("unshadowed", "shadowed", "interreflected"):
             through = {f"{n}": lit[f"{name} {n}"][_MORNING] for n in BANDS}
             halves = [lit[f"paths {turn} {name}"][_MORNING] for turn in range(2)]
             found |= self._pictures(name, skies[_MORNING], through, halves, lux_of(skies[_MORNING].true))
-        return found | self._sources(lit, count)
+        return found
 
-    def _sources(self, lit: Mapping[str, Array], count: int) -> dict[str, Variable]:
+    def sources(self, lit: Mapping[str, Array], count: int) -> dict[str, Variable]:
         """Return the error ``(source, sun)`` of each source by itself, and ``noise``, the reference's own."""
         middle = BANDS[1]
         paths = tuple(lit[f"paths {turn} interreflected"][:count] for turn in range(2))
