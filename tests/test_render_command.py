@@ -19,6 +19,7 @@ from skylight_sh.config.loading import load
 from skylight_sh.config.problem import ConfigError
 from skylight_sh.config.views_schema import SkySunSection
 from skylight_sh.light import sun_disc
+from skylight_sh.mesh import read
 from skylight_sh.render import lettering, tone
 from skylight_sh.run import from_views
 from skylight_sh.run.from_config import read_table
@@ -236,6 +237,28 @@ def test_what_shines_by_shadow_rays_is_not_in_the_weights_as_well(tmp_path: Path
     assert with_all.radiance(down) - without.radiance(down) == pytest.approx(
         on_ground[np.newaxis] * math.cos(sun.zenith), rel=1e-3
     )
+
+
+def test_at_night_lamps_alone_shine(place: Path) -> None:
+    """A point above the floor, far below the horizon's sun: its closed form where it is straight below, and no sky."""
+    lamp = '[[scene.lights]]\nkind = "point"\ncentre = [3.0, 0.0, 2.0]\nintensity = [8.0, 4.0, 2.0]\n'
+    night = SCENE.replace('ground = "mirror"', "twilight = true").replace("[[views]]", lamp + "[[views]]", 1)
+    night = night.replace("target = [0.0, 0.0, 0.8]", "target = [3.0, 0.001, 0.0]").replace("bounces = 1", "bounces = 0")
+    (place / "night.toml").write_text(ONE_LAYOUT + night)
+    made = {}
+    for name in ("dark.exr", "dark.png"):
+        arguments = ["--store", str(place / "store"), "--sun=-13,0", "--size", "65x65", "--output", str(place / name)]
+        done = CliRunner().invoke(main, ["render", str(place / "night.toml"), *arguments])
+        assert done.exit_code == 0, done.output
+        made[name] = np.asarray(OpenImageIO.ImageBuf(str(place / name)).get_pixels(OpenImageIO.FLOAT), dtype=np.float64)
+    # Albedo is the reader's own where a file names none.
+    albedo = read(place / "block.obj", None)[0].albedo[0, 0]
+    middle = made["dark.exr"][32, 32]
+    assert middle[:2] / middle[2] == pytest.approx([4.0, 2.0], rel=1e-5)
+    assert middle[0] / (8.0 / 4.0 / math.pi) == pytest.approx(albedo, rel=0.01)
+    assert not made["dark.exr"][0].any()
+    # Exposed by itself, since there is no sky to expose it by.
+    assert 0.05 < made["dark.png"].mean() < 0.6
 
 
 def test_letters_and_rules() -> None:

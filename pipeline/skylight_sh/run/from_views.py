@@ -158,7 +158,9 @@ def _parameters(config: Config, view: ViewSection, sun: Sun) -> tuple[dict[str, 
 def _weights(config: Config, table: Runtime, view: ViewSection, sun: Sun, dim: float) -> Array:
     """Return the weights ``(channels, N*N)`` of all that comes from everywhere."""
     peak = config.light.hints.peak_axis
-    known = {**view.at, "sun_azimuth": sun.azimuth, **({peak: sun.zenith} if peak else {})}
+    # Beyond the end of twilight there is nothing left of the sky.
+    zenith = min(sun.zenith, BEGIN + DEPTH) if config.scene.twilight else sun.zenith
+    known = {**view.at, "sun_azimuth": sun.azimuth, **({peak: zenith} if peak else {})}
     missing = [name for name in table.inputs if name not in known]
     if missing:
         raise UserError(f"The table needs {', '.join(missing)}. Give --at {missing[0]}=VALUE, or `at` in the view.")
