@@ -12,14 +12,14 @@ from skylight_sh.light.cie_traditional import CieTraditional
 from skylight_sh.light.preetham import Preetham
 from skylight_sh.mesh import Mesh, Part
 from skylight_sh.mesh.shapes import assembled, box, lathe
-from skylight_sh.render import emitters, shading, sky
+from skylight_sh.render import emitters, relief, shading, sky
 from skylight_sh.render.brute_force import Paths, arriving
 from skylight_sh.render.camera import Camera
 from skylight_sh.render.picture import Picture, Sampling, take
 from skylight_sh.render.sunlight import even, straight
 from skylight_sh.render.surface import Points, Surface
 from skylight_sh.scene import lamps
-from skylight_sh.transfer import Options, precompute
+from skylight_sh.transfer import Options, precompute, unshadowed
 
 Array = NDArray[np.float64]
 UP = np.array([0.0, 0.0, 1.0])
@@ -272,3 +272,35 @@ def test_sent_on_by_a_matrix() -> None:
 def _error(one: Picture, other: Picture) -> float:
     shown = other.share == 1.0
     return float(np.linalg.norm((one.radiance - other.radiance)[shown]) / np.linalg.norm(other.radiance[shown]))
+
+
+def test_a_relief_turns_normals_and_light() -> None:
+    """Under an even slope of the relief a floor is lit like a slope, whichever way its chart lies."""
+    bent = np.array([0.6, 0.0, 0.8])
+    for uv, along in (
+        (np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]), np.array([0.6, 0.0, 0.8])),
+        # Turned by a quarter: u runs north; mirrored: u runs west.
+        (np.array([[0.0, 1.0], [0.0, 0.0], [1.0, 0.0], [1.0, 1.0]]), np.array([0.0, 0.6, 0.8])),
+        (np.array([[1.0, 0.0], [0.0, 0.0], [0.0, 1.0], [1.0, 1.0]]), np.array([-0.6, 0.0, 0.8])),
+    ):
+        plain = floor(5.0)
+        part = Part("floor", relief=np.broadcast_to(bent, (4, 4, 3)))
+        mesh = Mesh(plain.positions, plain.normals, plain.albedo, plain.triangles, plain.part, (part,), uv)
+        surface = Surface(mesh)
+        points = below(surface, np.array([[0.3, -0.2, 1.0], [-2.0, 1.0, 1.0]]))
+        carved = relief.carved(mesh, points, np.array([0, 0]))
+        assert np.abs(carved.normals - along).max() < 1e-12
+        weights = np.array([[3.0, 0.4, 1.0, -0.7]] * 3)
+        flat, slope = (shading.lit(unshadowed(normals[np.newaxis], 2), weights) for normals in (UP, along))
+        found = relief.brightened(mesh, carved, 0.5 * np.repeat(flat, 2, axis=0), weights)
+        assert found == pytest.approx(0.5 * np.repeat(slope, 2, axis=0))
+        assert relief.brightened(mesh, points, flat, weights) is flat
+    # v alone, on the plain chart.
+    part = Part("floor", relief=np.broadcast_to(np.array([0.0, -0.6, 0.8]), (1, 1, 3)))
+    mesh = Mesh(plain.positions, plain.normals, plain.albedo, plain.triangles, plain.part, (part,), floor_uv())
+    points = below(Surface(mesh), np.array([[0.3, -0.2, 1.0]]))
+    assert relief.carved(mesh, points, np.array([0])).normals[0] == pytest.approx([0.0, -0.6, 0.8])
+
+
+def floor_uv() -> Array:
+    return np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from skylight_sh.render.camera import Camera, spread
 from skylight_sh.render.emitters import Emitter
+from skylight_sh.render.relief import carved
 from skylight_sh.render.sunlight import even, straight
 from skylight_sh.render.surface import Points, Surface
 from skylight_sh.transfer.sampling import chunks, generator
@@ -72,6 +73,7 @@ def take(
         origins = np.broadcast_to(eye, along.shape)
         hits = surface.rays.nearest(origins, along)
         points, front = surface.met(hits, along)
+        points = carved(surface.mesh, points, hits.triangle[front])
         colour = np.zeros(along.shape)
         colour[~hits.met] = behind(along[~hits.met])
         shifts = generator(sampling.seed, _PURPOSE, 1 + part.start).random((len(own), 2))

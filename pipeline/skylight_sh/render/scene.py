@@ -13,6 +13,7 @@ from skylight_sh.render.brute_force import Paths, arriving
 from skylight_sh.render.camera import Camera
 from skylight_sh.render.emitters import Emitter
 from skylight_sh.render.picture import Mapper, Picture, Sampling, Straight, take
+from skylight_sh.render.relief import brightened
 from skylight_sh.render.shading import lit, sent_on
 from skylight_sh.render.sky import Lookup
 from skylight_sh.render.sunlight import even, straight, unshaded
@@ -122,6 +123,6 @@ def _take(
     mapper: Mapper | None,
 ) -> Picture:
     def lighting(points: Points, _: int) -> Array:
-        return points.interpolate(values)
+        return brightened(surface.mesh, points, points.interpolate(values), light.weights)
 
     return take(camera, surface, lighting, light.behind, light.emitters, sampling, shining, mapper)
