@@ -15,7 +15,6 @@ from skylight_sh.light import sun_disc
 from skylight_sh.light.preetham import Preetham
 from skylight_sh.quadrature import sampling
 from skylight_sh.quadrature.registry import suited
-from skylight_sh.render import tone
 from skylight_sh.render.brute_force import Source
 from skylight_sh.render.compared import Sky
 from skylight_sh.render.emitters import Disc
@@ -79,19 +78,19 @@ def disc_of(config: Config, sun: Sun) -> Disc:
     return Disc(towards, sun_disc.HALF_ANGLE, sun_disc.radiance(sun.zenith, TURBIDITY, space))
 
 
-def lux_of(weights: Array) -> float:
-    """Return the illuminance on the ground of a sky's weights ``(3, N*N)``.
+def falling(weights: Array) -> Array:
+    """Return the irradiance in lux ``(3,)`` on the ground of a sky's weights ``(3, N*N)``.
 
     >>> even = np.zeros((3, 4)); even[:, 2] = np.sqrt(3 * np.pi / 4)
-    >>> round(lux_of(even), 4)
-    3.1416
+    >>> falling(even).round(4).tolist()
+    [3.1416, 3.1416, 3.1416]
     """
-    return float(weights[:, 2] @ tone.LUMINANCE * np.sqrt(4.0 * np.pi / 3.0))
+    return np.asarray(weights[:, 2] * np.sqrt(4.0 * np.pi / 3.0))
 
 
-def lux_of_disc(disc: Disc) -> float:
-    """Return the illuminance on the ground of a sun's disc."""
-    return float(np.pi * np.sin(disc.half_angle) ** 2 * max(disc.direction[2], 0.0) * (disc.radiance @ tone.LUMINANCE))
+def falling_from(disc: Disc) -> Array:
+    """Return the same of a sun's disc."""
+    return np.asarray(np.pi * np.sin(disc.half_angle) ** 2 * max(disc.direction[2], 0.0) * disc.radiance)
 
 
 def _turned(weights: Array, azimuth: float) -> Array:

@@ -14,9 +14,9 @@ CAPTION = (
     "thirty with a glossy floor in 5 and 8 bands (figure 5), and measured materials by ten (figure 6); nothing hides a "
     "light. So here: the courtyard by night, ten lights of many colours, projected at every point; above, diffuse; below, "
     "with a lobe of cos^16 about the mirror direction for a quarter of the light. Ten bands on the left; on the right the "
-    "same lobes integrated over each light's disc, without any expansion. Below each pair: the relative RMSE of linear "
-    "light and the mean of FLIP for fewer bands. What projecting the lights costs a frame is a machine's figure: make "
-    "bench prints it, under Spherical lights."
+    "same lobes integrated over each light's disc, without any expansion. The lights themselves are drawn dimmer than "
+    "they are. Below each pair: the relative RMSE of linear light and the mean of FLIP for fewer bands. What projecting "
+    "the lights costs a frame is a machine's figure: make bench prints it, under Spherical lights."
 )
 
 

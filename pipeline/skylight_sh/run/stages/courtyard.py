@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from skylight_sh.config.scenes_schema import ScenesSection
 from skylight_sh.config.schema import Config
-from skylight_sh.mesh.courtyard import courtyard
+from skylight_sh.mesh.courtyard import COLOURS, courtyard
 from skylight_sh.mesh.courtyard.views import BENCH, ENTRANCE
 from skylight_sh.mesh.courtyard.views import View as Place
 from skylight_sh.mesh.texels import averaged
@@ -23,7 +23,7 @@ from skylight_sh.render.view import View
 from skylight_sh.run.executors import Advance, map_tasks
 from skylight_sh.run.plan import Inputs
 from skylight_sh.run.scene_pictures import compared_with
-from skylight_sh.run.scene_suns import SUNS, SUNSET, disc_of, lux_of, lux_of_disc, sky_of, tables_of
+from skylight_sh.run.scene_suns import SUNS, SUNSET, disc_of, falling, falling_from, sky_of, tables_of
 from skylight_sh.store.dataset import Dataset, Variable
 from skylight_sh.transfer import Options, precompute
 
@@ -120,7 +120,7 @@ class _Compared:
         bounced = [lit[f"paths {turn} interreflected"] for turn in range(2)]
         halves = [half[k] + half[-1] + straight for half in bounced]
         through = {f"{n}": lit[f"interreflected {n}"][k] + lit["sent on"] + straight for n in BANDS}
-        return self._pictures(name, skies[k], through, halves, lux_of(skies[k].true) + lux_of_disc(disc))
+        return self._pictures(name, skies[k], through, halves, falling(skies[k].true) + falling_from(disc))
 
     def by_skylight(self, skies: Sequence[Sky], lit: Mapping[str, Array]) -> dict[str, Variable]:
         """Return pictures of the morning's sky alone, unshadowed, shadowed and interreflected, and their errors."""
@@ -128,7 +128,7 @@ class _Compared:
         for name in ("unshadowed", "shadowed", "interreflected"):
             through = {f"{n}": lit[f"{name} {n}"][_MORNING] for n in BANDS}
             halves = [lit[f"paths {turn} {name}"][_MORNING] for turn in range(2)]
-            found |= self._pictures(name, skies[_MORNING], through, halves, lux_of(skies[_MORNING].true))
+            found |= self._pictures(name, skies[_MORNING], through, halves, falling(skies[_MORNING].true))
         return found
 
     def sources(self, lit: Mapping[str, Array], count: int) -> dict[str, Variable]:
@@ -169,15 +169,19 @@ class _Compared:
         return np.asarray(self.view.picture(self.view.points.albedo * lit)[self.view.shown])
 
     def _pictures(
-        self, name: str, sky: Sky, lit: Mapping[str, Array], halves: Sequence[Array], lux: float
+        self, name: str, sky: Sky, lit: Mapping[str, Array], halves: Sequence[Array], lux: Array
     ) -> dict[str, Variable]:
-        """Return pictures of irradiance / pi by name before the sky, beside two halves of ``paths``."""
+        """Return pictures of irradiance / pi by name before the sky, beside two halves of ``paths``.
+
+        ``lux`` ``(3,)`` is what falls on the ground, sun and all.
+        """
         along = self.view.along[~self.view.seen]
-        behind = sky.source.radiance(along)
+        # Beyond the last of the earth there is more of it.
+        behind = np.where(along[:, 2:] > 0.0, sky.source.radiance(along), np.array(COLOURS["EARTH"]) * lux / np.pi)
         radiance = {key: self.view.picture(self.view.points.albedo * values, behind) for key, values in lit.items()}
         one, other = (self.view.picture(self.view.points.albedo * half, behind) for half in halves)
         shown = {**radiance, "paths": 0.5 * (one + other)}
-        return compared_with(name, shown, "paths", (one, other), self.view.shown, tone.exposure(lux))
+        return compared_with(name, shown, "paths", (one, other), self.view.shown, tone.exposure(float(lux @ tone.LUMINANCE)))
 
 
 def _mean(one: Array, other: Array) -> float:

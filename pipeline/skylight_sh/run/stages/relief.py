@@ -13,7 +13,7 @@ from skylight_sh.render import tone
 from skylight_sh.run.executors import Advance, map_tasks
 from skylight_sh.run.plan import Inputs
 from skylight_sh.run.scene_pictures import compared_with
-from skylight_sh.run.scene_suns import SUNS, lux_of, sky_of
+from skylight_sh.run.scene_suns import SUNS, falling, sky_of
 from skylight_sh.store.dataset import Dataset
 from skylight_sh.transfer import Rays
 
@@ -68,7 +68,7 @@ def make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
             "each normal",
             (pictures["each normal"],) * 2,
             everywhere,
-            2.0 * tone.exposure(lux_of(sky.true)),
+            2.0 * tone.exposure(float(falling(sky.true) @ tone.LUMINANCE)),
         ),
         {},
     )

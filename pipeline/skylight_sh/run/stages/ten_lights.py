@@ -38,6 +38,8 @@ _LIGHTS = (
     ((5.4, -3.4, 1.3), 0.24, (0.75, 0.85, 1.0)),
 )
 _EXPOSURE = 30.0
+# Lamps are drawn so much dimmer than they are, or no screen would tell their colours.
+_DRAWN = 0.06
 
 
 def make(config: Config, _: Inputs, advance: Advance) -> Dataset:
@@ -57,7 +59,7 @@ def make(config: Config, _: Inputs, advance: Advance) -> Dataset:
     )
     lit = {name: np.concatenate([one[name] for one in results]) for name in results[0]}
     variables: dict[str, Variable] = {}
-    balls, before = seen_lights(view, lights)
+    balls, before = seen_lights(view, Spheres(lights.centres, lights.radii, _DRAWN * lights.radiance))
     for name in ("diffuse", "glossy"):
         pictures = {}
         for key in (*map(str, BANDS), "integrated"):
