@@ -14,6 +14,8 @@ LUMINANCE = colour.luminance_row("srgb")
 """Factors ``(3,)`` that turn linear sRGB into luminance."""
 
 _KEY, _OUTDOORS, _ADAPTED = 4.9, 50_000.0, 0.16
+# Of the way from grey to the brightest that a screen shows of a hue.
+_KNEE = 0.6
 
 
 def exposure(lux: float) -> float:
@@ -32,8 +34,9 @@ def exposure(lux: float) -> float:
 def display(radiance: NDArray[np.floating], exposed: float, white: float = 5.0) -> Array:
     """Return radiance ``(..., 3)`` as sRGB in [0, 1].
 
-    Its luminance goes through Reinhard et al. 2002, eq. 4, with ``white`` the least that shows as white; a colour brighter
-    than the screen's is moved towards white instead of being cut off, which would change its hue.
+    Its luminance goes through Reinhard et al. 2002, eq. 4, with ``white`` the least that shows as white. A colour too bright
+    for the screen is made darker and paler, half and half, instead of being cut off, which would change its hue; that begins
+    gently before the end, so that no edge shows where.
 
     >>> display(np.array([[5.0, 5.0, 5.0], [0.0, 0.0, 0.0]]), 1.0).round(6).tolist()
     [[1.0, 1.0, 1.0], [0.0, 0.0, 0.0]]
@@ -44,6 +47,14 @@ def display(radiance: NDArray[np.floating], exposed: float, white: float = 5.0) 
     colours = scaled * np.divide(mapped, luminance, out=np.zeros_like(mapped), where=luminance > 0.0)[..., np.newaxis]
     grey = np.minimum(mapped, 1.0)[..., np.newaxis]
     most = colours.max(axis=-1, keepdims=True)
-    over = most > 1.0
-    kept = np.where(over, np.divide(1.0 - grey, most - grey, out=np.zeros_like(most), where=over & (most > grey)), 1.0)
-    return np.asarray(to_srgb(np.clip(grey + (colours - grey) * kept, 0.0, 1.0)))
+    room = 1.0 - grey
+    beyond = _bent(np.divide(most - grey, room, out=np.zeros_like(most), where=room > 0.0)) * room
+    paler = grey + (colours - grey) * np.divide(beyond, most - grey, out=np.ones_like(most), where=most - grey > 1e-12)
+    darker = colours * np.divide(grey + beyond, most, out=np.ones_like(most), where=most > 0.0)
+    return np.asarray(to_srgb(np.clip(0.5 * (paler + darker), 0.0, 1.0)))
+
+
+def _bent(share: Array) -> Array:
+    """Return ``share`` as it is up to a knee, and below 1 beyond it, without a kink."""
+    over = np.maximum(share - _KNEE, 0.0)
+    return np.asarray(np.minimum(share, _KNEE) - (1.0 - _KNEE) * np.expm1(-over / (1.0 - _KNEE)))
