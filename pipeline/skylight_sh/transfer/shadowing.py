@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from skylight_sh import sphere
 from skylight_sh.transfer.rays import Rays
-from skylight_sh.transfer.sampling import Cells, cells, chunks, frames, generator, nearest
+from skylight_sh.transfer.sampling import Cells, Index, cells, chunks, frames, generator, nearest
 
 Array = NDArray[np.float64]
 
@@ -47,23 +47,25 @@ def shadowed(rays: Rays, points: Array, normals: Array, bands: int, *, count: in
     halves = [cells(coarse, _EACH, random) for _ in range(2)]
     turned = frames(normals, 2.0 * np.pi * random.random(len(points)))
     basis = [(sphere.basis(half.directions, bands) / len(half.directions)).astype(np.float32) for half in halves]
+    near = [nearest(half, other, _ABOUT) for half, other in zip(halves, halves[::-1], strict=True)]
     found = np.empty((2, len(points), bands * bands))
     for some in chunks(len(points), max(1, _AT_ONCE // count)):
-        for half, seen in enumerate(_visible(rays, points[some], turned[some], halves)):
+        for half, seen in enumerate(_visible(rays, points[some], turned[some], halves, near)):
             found[half, some] = seen @ basis[half]
     return to_world(found, turned)
 
 
-def _visible(rays: Rays, points: Array, turned: Array, halves: list[Cells]) -> list[NDArray[np.float32]]:
+def _visible(rays: Rays, points: Array, turned: Array, halves: list[Cells], near: list[Index]) -> list[NDArray[np.float32]]:
     """Return which directions ``(n, directions)`` of either half are open, as 0 and 1.
 
     There is a ray for each cell. Where an outline crosses a cell there is one for all of its directions; whether it does is
-    asked of the other half's rays, since a cell that looks at its own would pass over what it just misses.
+    asked of the other half's rays in the cells ``near``, since a cell that looks at its own would pass over what it just
+    misses.
     """
     blocked = [_cast(rays, points, turned, half) for half in halves]
     seen = []
-    for own, other, half, near in zip(blocked, blocked[::-1], halves, halves[::-1], strict=True):
-        around = other[:, nearest(half, near, _ABOUT)]
+    for own, other, half, about in zip(blocked, blocked[::-1], halves, near, strict=True):
+        around = other[:, about]
         crossed = np.asarray(around.any(axis=2) & ~around.all(axis=2))
         asked = crossed[:, half.cell]
         asked[:, half.first] = False

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable
 from functools import partial
 
 import numpy as np
@@ -40,27 +40,22 @@ def make(source: MeshSource, executor: str, workers: int, _: Inputs, advance: Ad
 def in_blocks(setup: Setup, executor: str, workers: int, advance: Advance, blocks: Blocks) -> Transfer:
     """Return the transfer of the mesh of ``setup``, block by block."""
     parts = blocks_of(setup.mesh)
-    passes = [("direct", see), *([("gather", collect)] if setup.options.bounces else [])]
-    done: list[Sequence[Arrays]] = []
-    for turn, (name, function) in enumerate(passes):
-        named = [(f"{name}-{part.start}", part) for part in parts]
-        total = len(passes) * len(parts)
-        done.append(
-            map_in_blocks(
-                partial(function, setup),
-                named,
-                blocks,
-                executor=executor,
-                workers=workers,
-                advance=partial(_advanced, advance, turn * len(parts), total),
-            )
-        )
-    return finish(setup, done[0], done[1] if setup.options.bounces else [])
+    passes = {"direct": see, **({"gather": collect} if setup.options.bounces else {})}
+    found = map_in_blocks(
+        partial(_block, setup),
+        [(f"{name}-{part.start}", (part, function)) for name, function in passes.items() for part in parts],
+        blocks,
+        executor=executor,
+        workers=workers,
+        advance=advance,
+    )
+    return finish(setup, found[: len(parts)], found[len(parts) :])
 
 
-def _advanced(advance: Advance, before: int, total: int, ready: int, _: int) -> None:
-    """Tell of ``ready`` blocks of a pass that comes after ``before`` blocks of others."""
-    advance(before + ready, total)
+def _block(setup: Setup, item: tuple[slice, Callable[[Setup, slice], Arrays]]) -> Arrays:
+    # The function comes second: Dask calls one that comes first.
+    part, function = item
+    return function(setup, part)
 
 
 def _dataset(source: MeshSource, mesh: Mesh, transfer: NDArray[np.float64], found: Transfer | None) -> Dataset:
