@@ -19,11 +19,14 @@ _COLUMN = (
     *((0.19, 2.09), (0.196, 2.108), (0.188, 2.126), (0.171, 2.134)),
     *((0.173, 2.2), (0.19, 2.232), (0.225, 2.27), (0.25, 2.31), (0.256, 2.35), (0.0, 2.35)),
 )
-# y and z of the cornice before the wall's front: a fillet, a hollow and a crown, anticlockwise seen from the east.
+# y and z of the cornice before the wall's front, below its top: a fillet, a hollow and a crown, from the top down.
+_BACK, _OUT = 0.3, -0.27
 _CORNICE = (
-    *((0.3, 0.0), (0.3, 0.26), (-0.27, 0.26), (-0.27, 0.215), (-0.25, 0.195), (-0.205, 0.175), (-0.165, 0.15)),
+    *((_OUT, 0.215), (-0.25, 0.195), (-0.205, 0.175), (-0.165, 0.15)),
     *((-0.145, 0.118), (-0.14, 0.1), (-0.105, 0.092), (-0.08, 0.06), (-0.03, 0.0)),
 )
+# The eaves before the wall's front and above the vaults' top, and how much higher the ridge is.
+_EAVES, _EAVES_HEIGHT, _RISE = 0.4, 0.24, 1.25
 
 
 def column(detail: float) -> Piece:
@@ -53,9 +56,11 @@ def columns(plan: Arcade) -> Array:
 
 
 def cornice(plan: Arcade, detail: float) -> Piece:
-    """Return the moulding above the arches."""
+    """Return the moulding above the arches. Its top follows the roof: no sky shows between them."""
+    top = [(y, _EAVES_HEIGHT + _RISE * (y + _EAVES) / _roof_depth(plan) - 2.0 * _GAP) for y in (_BACK, _OUT)]
+    section = np.array([(_BACK, 0.0), *top, *_CORNICE])
     places = np.linspace(plan.west - WALL, plan.east + 0.06, max(4, round(14 * detail)))
-    return prism(np.array(_CORNICE), places).moved((0.0, plan.front, plan.floor + TOP + _GAP))
+    return prism(section, places).moved((0.0, plan.front, plan.floor + TOP + _GAP))
 
 
 def roof(plan: Arcade, detail: float) -> Piece:
@@ -68,8 +73,8 @@ def roof(plan: Arcade, detail: float) -> Piece:
     # Rolls that are wider than the troughs between them.
     bulge = 0.085 * np.abs(np.cos(np.pi * phase)) ** 1.4
     slope = np.array([0.0, 0.12, 1.0])
-    y = plan.front - 0.4 + (plan.depth + THICK + WALL + 0.6) * slope
-    height = TOP + 0.285 + 1.25 * slope
+    y = plan.front - _EAVES + _roof_depth(plan) * slope
+    height = TOP + _EAVES_HEIGHT + _RISE * slope
     edge = x[::fine]
 
     def line(across: Array, k: int, above: Array | float) -> Array:
@@ -90,6 +95,10 @@ def roof(plan: Arcade, detail: float) -> Piece:
         sheet(sides[1]).towards((1.0, 0.0, 0.0)),
     ]
     return joined(pieces).moved((0.0, 0.0, plan.floor))
+
+
+def _roof_depth(plan: Arcade) -> float:
+    return plan.depth + THICK + WALL + _EAVES + 0.2
 
 
 def door(plan: Arcade, detail: float) -> tuple[Piece, Piece]:
