@@ -152,8 +152,8 @@ class Program:
 
     @property
     def literals(self) -> int:
-        """How many numbers stand in the formula itself, beside its constants."""
-        return sum(step[0] == "number" for step in self.steps)
+        """How many different numbers stand in the formula itself, beside its constants."""
+        return len({step[1] for step in self.steps if step[0] == "number"})
 
     def run(self, values: Sequence[ArrayLike]) -> list[Floats]:
         """Return the outputs at ``values``, one array an input that broadcast, in their dtype.
@@ -226,9 +226,11 @@ class Axis:
 
 @dataclass(frozen=True)
 class Scale:
-    """What all weights are multiplied with: ``program`` of the axes' values, ``name`` and ``fixed`` parameters for people.
+    """What sums are multiplied with: ``program`` of the axes' values, ``name`` and ``fixed`` parameters for people.
 
-    ``kind`` is ``closed form``, a light's prefactor, or ``reciprocal``, 1 over a polynomial found in samples.
+    ``kind`` is ``closed form``, a light's prefactor, or ``reciprocal``, 1 over a polynomial found in samples. A program with
+    one output is a factor of all weights; one with more is a matrix ``(channels, classes)``, row by row: a table keeps sums of
+    so many classes, and each channel's weight is made of those of all classes.
     """
 
     kind: str
@@ -252,7 +254,8 @@ class Specification:
     Weights are those of order m >= 0 where ``mirrored``, else all N*N. ``quantity`` is ``radiance`` or ``irradiance``;
     ``windowed`` says that the window of eq. 5 is in the weights; ``azimuth`` is the sun's where it is no input (radians);
     ``ground`` is ``black``, ``mirror`` or one albedo a channel; ``sun_disc`` says that the sun's disc is in the weights;
-    ``peak_axis`` names the axis that is the zenith angle of the light's peak, which ``twilight`` extends.
+    ``peak_axis`` names the axis that is the zenith angle of the light's peak, which ``twilight`` extends. With ``parity``
+    sums of order m are the weights over sin^m of that angle.
     """
 
     axes: tuple[Axis, ...]
@@ -267,11 +270,46 @@ class Specification:
     sun_disc: bool = False
     peak_axis: str | None = None
     twilight: Twilight | None = None
+    parity: bool = False
+
+    @property
+    def classes(self) -> int:
+        """How many sums a weight of all channels is made of: one a channel, or those of the scale's matrix."""
+        outputs = len(self.scale.program.outputs) if self.scale else 1
+        return len(self.channels) if outputs == 1 else outputs // len(self.channels)
+
+
+@dataclass(frozen=True)
+class ClassRows:
+    """A body laid out for speed: for each class in turn a row of coefficients for each term that the class keeps.
+
+    ``lengths`` ``(classes, rest)``: terms of the first axis for each product of the others' functions, last axis fastest;
+    ``rows`` ``(terms of all classes, width)``, a class after another; ``columns`` ``(count,)``: each weight's column, or -1.
+    """
+
+    lengths: NDArray[np.uint8]
+    rows: Floats
+    columns: NDArray[np.int16]
+
+    @property
+    def kind(self) -> str:
+        """Name of this layout."""
+        return "rows"
+
+    @property
+    def dtype(self) -> np.dtype[np.floating]:
+        """Number type of coefficients and arithmetic."""
+        return self.rows.dtype
+
+    @property
+    def starts(self) -> list[int]:
+        """The first row of each class, and the number of rows."""
+        return [0, *np.cumsum(self.lengths.sum(axis=1, dtype=np.int64)).tolist()]
 
 
 @dataclass(frozen=True)
 class Rows:
-    """A body laid out for speed: a row of coefficients ``(terms, width)`` for each kept term.
+    """A body as earlier versions wrote it: a row of coefficients ``(terms, width)`` for each term, which all channels keep.
 
     ``lengths`` ``(rest,)``: terms of the first axis for each product of the others' functions, last axis fastest;
     ``columns`` ``(channels, count)``: each weight's column, or -1.
@@ -297,7 +335,7 @@ class Packed:
     """A body in few bytes: a coefficient is ``step`` times a whole number of ``stream``, Rice codes that ``unpack`` reads.
 
     ``first`` is the longest run of the first axis; the profiles are small whole numbers, one a product of the other axes'
-    functions and one a channel.
+    functions and one a class.
     """
 
     stream: bytes
@@ -356,7 +394,7 @@ class Table:
     spec: Specification
     bands: int
     terms: tuple[Program, ...]
-    body: Rows | Packed
+    body: ClassRows | Packed | Rows
     surroundings: Surroundings | None = None
     provenance: Mapping[str, object] = field(default_factory=dict)
 
@@ -386,19 +424,21 @@ class Table:
         return flat_places(self.bands, mirrored=self.spec.mirrored)
 
     @cached_property
-    def _matrix(self) -> tuple[Index, Floats]:
-        """Places of the kept terms among all products, and their coefficients ``(terms, channels * count)``."""
-        rest = math.prod(degree + 1 for degree in self.degrees[1:])
-        if isinstance(self.body, Packed):
-            numbers = unpack(self.body, self.places)
-            values = numbers.astype(self.dtype) * self.dtype.type(self.body.step)
-            flat = values.transpose(2, 3, 1, 0).reshape(values.shape[2] * values.shape[3], -1)
+    def matrices(self) -> list[tuple[Index, Floats]]:
+        """Of each class: places of its terms among all products of functions, and coefficients ``(terms, count)``."""
+        rest, body = math.prod(degree + 1 for degree in self.degrees[1:]), self.body
+        if isinstance(body, Packed):
+            numbers = unpack(body, self.places)
+            values = numbers.astype(self.dtype) * self.dtype.type(body.step)
             # The last products of functions may be missing where nothing keeps them.
-            places = np.arange(values.shape[2])[:, np.newaxis] * rest + np.arange(values.shape[3])
-            return places.ravel(), np.ascontiguousarray(flat)
-        columns = self.body.columns.ravel()
-        matrix = self.body.rows[:, columns] * (columns >= 0)
-        return kept_terms(self.body.lengths), np.ascontiguousarray(matrix.astype(self.dtype))
+            places = (np.arange(values.shape[2])[:, np.newaxis] * rest + np.arange(values.shape[3])).ravel()
+            flat = values.transpose(1, 2, 3, 0).reshape(values.shape[1], places.size, -1)
+            return [(places, np.ascontiguousarray(matrix)) for matrix in flat]
+        if isinstance(body, Rows):
+            kept = kept_terms(body.lengths)
+            return [(kept, _spread(body.rows, columns)) for columns in body.columns]
+        parts = zip(body.lengths, body.starts, body.starts[1:], strict=False)
+        return [(kept_terms(lengths), _spread(body.rows[start:end], body.columns)) for lengths, start, end in parts]
 
     def evaluate(self, values: Array) -> Floats:
         """Return the stored weights at parameter sets ``(n, axes)``, azimuth 0: ``(n, channels, count)``.
@@ -406,7 +446,6 @@ class Table:
         Works in the table's dtype throughout, terms summed in their order, so that a set's bits depend on nothing but the
         set. Values must lie in the axes' ranges.
         """
-        places, matrix = self._matrix
         out = np.empty((len(values), len(self.channels), self.places.size), dtype=self.dtype)
         for start in range(0, len(values), _SETS_AT_ONCE):
             part = values[start : start + _SETS_AT_ONCE].astype(self.dtype)
@@ -418,11 +457,25 @@ class Table:
                 for k, found in enumerate(program.run(axis.variable.run([column]))):
                     functions[:, k] = found
                 terms = (terms[:, :, np.newaxis] * functions[:, np.newaxis, :]).reshape(len(part), -1)
-            terms = terms[:, places]
-            if self.spec.scale:
-                terms = terms * np.broadcast_to(self.spec.scale.program.run(columns)[0], len(part))[:, np.newaxis]
-            out[start : start + _SETS_AT_ONCE] = product(terms, matrix).reshape(len(part), *out.shape[1:])
+            sums = [product(terms[:, places], matrix) for places, matrix in self.matrices]
+            out[start : start + _SETS_AT_ONCE] = self._mixed(sums, columns)
         return out
+
+    def _mixed(self, sums: Sequence[Floats], columns: Sequence[Floats]) -> Floats:
+        """Return the weights ``(n, channels, count)`` of the classes' ``sums``, each ``(n, count)``, at the axes' values."""
+        made = np.stack(sums, axis=1)
+        if self.spec.scale:
+            factors = [np.broadcast_to(f, len(made))[:, np.newaxis] for f in self.spec.scale.program.run(columns)]
+            if len(factors) == 1:
+                made = made * factors[0][:, np.newaxis]
+            else:
+                rows = np.split(np.arange(len(factors)), len(self.channels))
+                made = np.stack([sum(factors[i] * one for i, one in zip(row, sums, strict=True)) for row in rows], axis=1)
+        if self.spec.parity:
+            names = [axis.name for axis in self.axes]
+            sines = FUNCTIONS["sin"](columns[names.index(str(self.spec.peak_axis))])
+            made = made * powers(sines, self.bands)[:, np.newaxis, np.abs(orders_of(self.places))]
+        return made
 
     def whole(self, stored: Floats, bands: int | None = None) -> Floats:
         """Spread stored weights of at least ``bands`` bands, ``(..., count)``, over all N*N of them, ``(..., bands**2)``."""
@@ -466,6 +519,33 @@ class Table:
         low, high = np.transpose(self.ranges)
         slack = SLACK * np.maximum(high - low, 1.0)
         return low - slack, high + slack
+
+
+def _spread(rows: Floats, columns: NDArray[np.integer]) -> Floats:
+    """Return the weights' coefficients ``(terms, count)`` of ``rows``; 0 where a column is -1."""
+    return np.ascontiguousarray((rows[:, columns] * (columns >= 0)).astype(rows.dtype))
+
+
+def orders_of(places: Index) -> Index:
+    """Return the order m of each flat index l (l + 1) + m.
+
+    >>> orders_of(np.array([0, 1, 2, 3])).tolist()
+    [0, -1, 0, 1]
+    """
+    degrees = np.array([math.isqrt(place) for place in places.tolist()], dtype=np.int64)
+    return np.asarray(places - degrees * (degrees + 1))
+
+
+def powers(base: Floats, count: int) -> Floats:
+    """Return ``base`` ``(n,)`` to the powers 0, 1, .. ``count - 1``, ``(n, count)``, by doubling as C does.
+
+    >>> powers(np.array([2.0]), 5).tolist()
+    [[1.0, 2.0, 4.0, 8.0, 16.0]]
+    """
+    out = np.ones((len(base), count), dtype=base.dtype)
+    for m in range(1, count):
+        out[:, m] = out[:, m // 2] * out[:, m - m // 2] if m > 1 else base
+    return out
 
 
 def kept_terms(lengths: NDArray[np.integer]) -> Index:
@@ -636,7 +716,7 @@ def _no_archive(path: str | Path | BinaryIO) -> str:
 
 # What a file may hold, by the name that stands in it under "is".
 KINDS: Mapping[str, Any] = {
-    kind.__name__: kind for kind in (Table, Specification, Axis, Program, Scale, Twilight, Rows, Packed, Surroundings)
+    kind.__name__: kind for kind in (Table, Specification, Axis, Program, Scale, Twilight, ClassRows, Rows, Packed, Surroundings)
 }
 
 
@@ -675,7 +755,10 @@ def _wrong(table: Table) -> Iterator[str]:
     yield from _wrong_specification(spec)
     for axis, terms in zip(spec.axes, table.terms, strict=True):
         terms.check(f"its axis {axis.name}", 1)
-    yield from _wrong_rows(table, body) if isinstance(body, Rows) else _wrong_stream(table, body)
+    if isinstance(body, Packed):
+        yield from _wrong_stream(table, body)
+    else:
+        yield from _wrong_rows(table, body)
     yield from _wrong_surroundings(table, table.surroundings) if table.surroundings else ()
 
 
@@ -690,7 +773,12 @@ def _wrong_specification(spec: Specification) -> Iterator[str]:
     if spec.azimuth is not None and not math.isfinite(spec.azimuth):
         yield f"its azimuth is {spec.azimuth}"
     if spec.scale:
-        spec.scale.program.check("its prefactor", len(spec.axes), 1)
+        spec.scale.program.check("its prefactor", len(spec.axes))
+        outputs = len(spec.scale.program.outputs)
+        if outputs != 1 and (not outputs or outputs % len(spec.channels)):
+            yield f"its prefactor has {outputs} outputs for {len(spec.channels)} channels"
+    if spec.parity and spec.peak_axis not in names:
+        yield f"it has parity about {spec.peak_axis!r}, which is none of its axes {', '.join(names)}"
     if spec.twilight:
         spec.twilight.program.check("its twilight", 1, 1)
         if not 0.0 < spec.twilight.depth < math.inf:
@@ -707,14 +795,17 @@ def _wrong_surroundings(table: Table, around: Surroundings) -> Iterator[str]:
             yield f"its surroundings' {name} is not finite"
 
 
-def _wrong_rows(table: Table, body: Rows) -> Iterator[str]:
+def _wrong_rows(table: Table, body: ClassRows | Rows) -> Iterator[str]:
     count, rest = table.places.size, math.prod(degree + 1 for degree in table.degrees[1:])
     width = body.rows.shape[1] if body.rows.ndim == 2 else 0
-    if body.rows.shape != (int(body.lengths.sum()), width) or body.lengths.size != rest:
+    lengths, columns = ((table.spec.classes, rest), (count,))
+    if isinstance(body, Rows):
+        lengths, columns = ((rest,), (len(table.channels), count))
+    if body.rows.shape != (int(body.lengths.sum()), width) or body.lengths.shape != lengths:
         yield f"its rows have the shape {body.rows.shape}, its lengths {body.lengths.tolist()}"
     if body.lengths.size and int(body.lengths.max()) > table.degrees[0] + 1:
         yield f"its lengths are {body.lengths.tolist()} for {table.degrees[0] + 1} functions"
-    if body.columns.shape != (len(table.channels), count) or body.columns.min() < -1 or body.columns.max() >= width:
+    if body.columns.shape != columns or body.columns.min() < -1 or body.columns.max() >= width:
         yield f"its columns have the shape {body.columns.shape}, or lead beyond {width}"
     if body.rows.dtype not in (np.float32, np.float64) or not np.isfinite(body.rows).all():
         yield f"its rows are {body.rows.dtype}, or not finite"
@@ -722,8 +813,8 @@ def _wrong_rows(table: Table, body: Rows) -> Iterator[str]:
 
 def _wrong_stream(table: Table, body: Packed) -> Iterator[str]:
     rest = math.prod(degree + 1 for degree in table.degrees[1:])
-    if body.channel_profile.size != len(table.channels) or not 1 <= body.rest_profile.size <= rest:
-        yield f"its profiles have {body.channel_profile.size} channels and {body.rest_profile.size} products"
+    if body.channel_profile.size != table.spec.classes or not 1 <= body.rest_profile.size <= rest:
+        yield f"its profiles have {body.channel_profile.size} classes and {body.rest_profile.size} products"
     if not 1 <= body.first <= table.degrees[0] + 1 or not math.isfinite(body.step):
         yield f"its runs have {body.first} terms of {table.degrees[0] + 1}, its step is {body.step}"
     try:

@@ -27,21 +27,57 @@ _ERROR_BITS = 24
 class Sampled:
     """``n`` parameter sets as a table sees them, everything in units of each set's L_min.
 
-    ``basis`` ``(n, terms)`` holds all products of basis functions times the table's factor, ``truth`` ``(n, channels,
-    count)`` the weights. The first sets are on a grid of ``shape``, if on any.
+    ``basis`` ``(n, terms)`` holds all products of basis functions, ``factor`` ``(n, channels, classes)`` what each channel
+    takes of each class's sums, ``truth`` ``(n, channels, count)`` the weights. Sums of weight w are multiplied with ``sines``
+    ``(n,)`` to the power ``orders`` ``(count,)``; those are 0 without parity. The first sets are on a grid of ``shape``, if
+    on any.
     """
 
     basis: Array
+    factor: Array
     truth: Array
+    sines: Array
+    orders: Index
     shape: tuple[int, ...] = ()
 
+    @cached_property
+    def waves(self) -> dict[int, Array]:
+        """The sines to the power of each order that there is, ``(n,)``."""
+        return {m: self.sines**m for m in np.unique(self.orders).tolist()}
+
+    @cached_property
+    def groups(self) -> list[tuple[int, ...]]:
+        """Classes that share a channel: they are fitted together."""
+        classes = self.factor.shape[2]
+        mixed = np.abs(self.factor).max(axis=0) > 0.0
+        if mixed.shape[0] == classes and not (mixed & ~np.eye(classes, dtype=bool)).any():
+            return [(k,) for k in range(classes)]
+        return [tuple(range(classes))]
+
+    @property
+    def size(self) -> tuple[int, int, int]:
+        """How many classes, weights and terms coefficients have."""
+        return self.factor.shape[2], self.truth.shape[2], self.basis.shape[1]
+
     def errors(self, coefficients: Array) -> Array:
-        """Return E_mean of every set and channel, ``(n, channels)``, of coefficients ``(channels, count, terms)``."""
-        channels, count = coefficients.shape[:2]
-        flat = coefficients.reshape(channels * count, -1)
-        use = np.flatnonzero(flat.any(axis=0))
-        made = self.basis[:, use] @ flat[:, use].T
-        return norms(made.reshape(-1, channels, count) - self.truth)
+        """Return E_mean of every set and channel, ``(n, channels)``, of coefficients ``(classes, count, terms)``."""
+        sums = []
+        for own in coefficients:
+            use = np.flatnonzero(own.any(axis=0))
+            made = self.basis[:, use] @ own[:, use].T
+            for m, wave in self.waves.items():
+                if m:
+                    made[:, self.orders == m] *= wave[:, np.newaxis]
+            sums.append(made)
+        out = np.empty(self.truth.shape[:2])
+        for channel in range(out.shape[1]):
+            off = -self.truth[:, channel]
+            for k, made in enumerate(sums):
+                share = self.factor[:, channel, k]
+                if share.any():
+                    off = off + share[:, np.newaxis] * made
+            out[:, channel] = norms(off)
+        return out
 
     def largest(self, coefficients: Array) -> float:
         """Return the largest of ``errors``, between nodes too, rounded far above what differs from machine to machine."""
@@ -49,33 +85,51 @@ class Sampled:
 
 
 @dataclass(frozen=True)
-class Metric:
-    """Normal equations, a channel each: ``gram`` ``(channels, terms, terms)``, ``right`` ``(channels, count, terms)``.
+class System:
+    """Normal equations of some weights of some classes: ``gram`` ``(u, u)``, ``right`` ``(outputs, u)``, u = classes * terms.
 
-    ``best``, of the same shape as ``right``, minimises the weighted squared error without any limit on the coefficients.
-    The error of other coefficients exceeds the least one by their distance to ``best`` in ``gram``.
+    The error of other coefficients exceeds the least one by their distance to the best in ``gram``.
     """
 
+    classes: tuple[int, ...]
+    outputs: Index
     gram: Array
     right: Array
+
+
+@dataclass(frozen=True)
+class Metric:
+    """The systems that together give coefficients of shape ``size``, ``(classes, count, terms)``."""
+
+    systems: tuple[System, ...]
+    size: tuple[int, int, int]
 
     @cached_property
     def best(self) -> Array:
         """The best coefficients of all terms, solved for where they are asked for."""
-        return np.stack([_solved(g, r.T).T for g, r in zip(self.gram, self.right, strict=True)])
+        return self.best_of(np.ones((self.size[0], self.size[2]), dtype=bool))
 
-    def best_of(self, kept: Index) -> Array:
-        """Return the best coefficients of the terms ``kept`` alone, zeros elsewhere: ``(channels, count, terms)``.
+    def best_of(self, kept: NDArray[np.bool_]) -> Array:
+        """Return the best coefficients of the terms ``kept`` ``(classes, terms)`` alone, zeros elsewhere.
 
-        >>> normal = metric(Sampled(np.eye(2), np.array([[[3.0]], [[5.0]]])), np.full((2, 1), 0.5))
-        >>> normal.best_of(np.array([1])).round(6).tolist()
+        >>> sampled = Sampled(np.eye(2), np.ones((2, 1, 1)), np.array([[[3.0]], [[5.0]]]), np.ones(2), np.zeros(1, dtype=int))
+        >>> metric(sampled, np.full((2, 1), 0.5)).best_of(np.array([[False, True]])).round(6).tolist()
         [[[0.0, 5.0]]]
         """
-        out = np.zeros_like(self.right)
-        for channel, gram in enumerate(self.gram):
-            right = self.right[channel][:, kept].T
-            out[channel][:, kept] = _solved(gram[np.ix_(kept, kept)], right).T
+        out = np.zeros(self.size)
+        for system in self.systems:
+            use = np.flatnonzero(kept[list(system.classes)].ravel())
+            solved = _solved(system.gram[np.ix_(use, use)], system.right[:, use].T).T
+            flat = np.zeros(system.right.shape)
+            flat[:, use] = solved
+            put(out, system, flat)
         return out
+
+
+def put(coefficients: Array | Index, system: System, flat: Array | Index) -> None:
+    """Put what was found for a system, ``(outputs, u)``, where it belongs in ``(classes, count, terms)``."""
+    parts = flat.reshape(len(flat), len(system.classes), -1).swapaxes(0, 1)
+    coefficients[np.ix_(system.classes, system.outputs)] = parts
 
 
 def _solved(gram: Array, right: Array) -> Array:
@@ -88,25 +142,39 @@ def _solved(gram: Array, right: Array) -> Array:
 def metric(sampled: Sampled, importance: Array) -> Metric:
     """Build the metric of ``sum importance * error**2``; ``importance`` ``(n, channels)`` sums to 1.
 
-    >>> normal = metric(Sampled(np.eye(2), np.ones((2, 1, 1))), np.full((2, 1), 0.5))
-    >>> normal.gram.round(6).tolist(), normal.right.tolist()
-    ([[[0.5, 0.0], [0.0, 0.5]]], [[[0.5, 0.5]]])
+    >>> sampled = Sampled(np.eye(2), np.ones((2, 1, 1)), np.ones((2, 1, 1)), np.ones(2), np.zeros(1, dtype=int))
+    >>> [found] = metric(sampled, np.full((2, 1), 0.5)).systems
+    >>> found.gram.round(6).tolist(), found.right.tolist()
+    ([[0.5, 0.0], [0.0, 0.5]], [[0.5, 0.5]])
     """
-    terms = sampled.basis.shape[1]
-    grams = np.empty((importance.shape[1], terms, terms))
-    right = np.empty((*sampled.truth.shape[1:], terms))
-    for channel, gram in enumerate(grams):
-        weighed = (sampled.basis * importance[:, channel, np.newaxis]).T
-        gram[:] = weighed @ sampled.basis
-        gram[np.diag_indices(terms)] += _RIDGE * np.trace(gram) / terms
-        right[channel] = (weighed @ sampled.truth[:, channel]).T
-    return Metric(grams, right)
+    return Metric(
+        tuple(_system(sampled, importance, group, m) for group in sampled.groups for m in sampled.waves), sampled.size
+    )
+
+
+def _system(sampled: Sampled, importance: Array, group: tuple[int, ...], m: int) -> System:
+    basis, terms = sampled.basis, sampled.basis.shape[1]
+    outputs = np.flatnonzero(sampled.orders == m)
+    wave = sampled.waves[m][:, np.newaxis]
+    factors = sampled.factor[:, :, list(group)] * wave[:, :, np.newaxis]
+    gram = np.empty((len(group), terms, len(group), terms))
+    right = np.empty((outputs.size, len(group), terms))
+    truth = sampled.truth[:, :, outputs]
+    for i in range(len(group)):
+        weighed = importance * factors[:, :, i]
+        for j in range(i + 1):
+            part = (basis * (weighed * factors[:, :, j]).sum(axis=1)[:, np.newaxis]).T @ basis
+            gram[i, :, j], gram[j, :, i] = part, part.T
+        right[:, i] = (weighed[:, :, np.newaxis] * truth).sum(axis=1).T @ basis
+    flat = gram.reshape(len(group) * terms, -1)
+    flat[np.diag_indices(len(flat))] += _RIDGE * np.trace(flat) / len(flat)
+    return System(group, outputs, flat, right.reshape(outputs.size, -1))
 
 
 def even(sampled: Sampled) -> Array:
     """Return the importance that prefers no set and no channel.
 
-    >>> even(Sampled(np.ones((2, 1)), np.ones((2, 2, 1)))).tolist()
+    >>> even(Sampled(np.ones((2, 1)), np.ones((2, 2, 2)), np.ones((2, 2, 1)), np.ones(2), np.zeros(1, dtype=int))).tolist()
     [[0.25, 0.25], [0.25, 0.25]]
     """
     shape = sampled.truth.shape[:2]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from skylight_sh.fit.minimax import Metric
+from skylight_sh.fit.minimax import Metric, System, put
 from skylight_sh.reproducible import significant
 
 Array = NDArray[np.float64]
@@ -16,7 +16,7 @@ _DEAD = 0.6
 
 
 def lengths_above(coefficients: Array, threshold: float) -> Index:
-    """Return ``(channels, count, rest)``: how many of the first axis' terms to keep of ``(.., .., first, rest)``.
+    """Return ``(classes, count, rest)``: how many of the first axis' terms to keep of ``(.., .., first, rest)``.
 
     >>> lengths_above(np.array([9.0, 0.1, 3.0, 0.2]).reshape(1, 1, 4, 1), 1.0).tolist()
     [[[3]]]
@@ -27,38 +27,55 @@ def lengths_above(coefficients: Array, threshold: float) -> Index:
 
 
 def round_kept(metric: Metric, lengths: Index, first: int, step: float) -> Index:
-    """Return whole numbers ``(channels, count, first, rest)`` near the best ones in the metric, 0 beyond ``lengths``.
+    """Return whole numbers ``(classes, count, first, rest)`` near the best ones in the metric, 0 beyond ``lengths``.
 
     The kept coefficients are solved for anew without the others, then rounded one by one, each after the errors of
     those before it (Babai's nearest plane): first those that weigh most in the metric, so that those whose own
     rounding costs least take up what is left. Plain rounding needs a step about 1.5 times finer for the same error.
 
-    >>> gram, right = np.array([[[2.0, 1.0], [1.0, 2.0]]]), np.array([[[4.2, 4.2]]])  # the best: 1.4 and 1.4
-    >>> round_kept(Metric(gram, right), np.full((1, 1, 1), 2), 2, 1.0).ravel().tolist()
+    >>> gram, right = np.array([[2.0, 1.0], [1.0, 2.0]]), np.array([[4.2, 4.2]])  # the best: 1.4 and 1.4
+    >>> metric = Metric((System((0,), np.array([0]), gram, right),), (1, 1, 2))
+    >>> round_kept(metric, np.full((1, 1, 1), 2), 2, 1.0).ravel().tolist()
     [2, 1]
     """
+    classes, count, rest = lengths.shape
+    keep = (np.arange(first)[:, np.newaxis] < lengths[:, :, np.newaxis, :]).reshape(classes, count, -1)
+    out = np.zeros((classes, count, first * rest), dtype=np.int64)
+    for system in metric.systems:
+        own = keep[np.ix_(system.classes, system.outputs)].swapaxes(0, 1).reshape(len(system.outputs), -1)
+        put(out, system, _rounded(system, own, step))
+    return out.reshape(classes, count, first, rest)
+
+
+def _rounded(system: System, keep: NDArray[np.bool_], step: float) -> Index:
+    """Round the coefficients ``keep`` ``(outputs, u)`` of a system, all outputs side by side."""
     from scipy import linalg
 
-    channels, count, rest = lengths.shape
-    keep = (np.arange(first)[:, np.newaxis] < lengths[:, :, np.newaxis, :]).reshape(channels, count, -1)
-    out = np.zeros((channels, count, first * rest), dtype=np.int64)
-    for channel, gram in enumerate(metric.gram):
-        # Terms that weigh the same must rank the same on every machine.
-        ranked = np.argsort(significant(np.diag(gram), 20), kind="stable")
-        for w in range(count):
-            use = ranked[keep[channel, w, ranked]]
-            if use.size:
-                factor = linalg.cholesky(gram[np.ix_(use, use)], check_finite=False)
-                # factor @ solution, of which each row names one coefficient given all later ones.
-                target = linalg.solve_triangular(factor, metric.right[channel, w, use], trans="T", check_finite=False)
-                diagonal = np.diag(factor).copy()
-                out[channel, w, use] = _nearest_plane(factor / diagonal[:, np.newaxis], target / (diagonal * step))
-    return out.reshape(channels, count, first, rest)
+    # Terms that weigh the same must rank the same on every machine.
+    ranked = np.argsort(significant(np.diag(system.gram), 20), kind="stable")
+    used = [ranked[own[ranked]] for own in keep]
+    size = max(use.size for use in used)
+    unit, target = np.zeros((len(used), size, size)), np.zeros((len(used), size))
+    for w, use in enumerate(used):
+        if use.size:
+            factor = linalg.cholesky(system.gram[np.ix_(use, use)], check_finite=False)
+            # factor @ solution, of which each row names one coefficient given all later ones.
+            found = linalg.solve_triangular(factor, system.right[w, use], trans="T", check_finite=False)
+            diagonal = np.diag(factor)
+            # Shorter ones stand at the end, from where rounding begins.
+            unit[w, size - use.size :, size - use.size :] = factor / diagonal[:, np.newaxis]
+            target[w, size - use.size :] = found / (diagonal * step)
+    rounded = _nearest_plane(unit, target)
+    out = np.zeros(keep.shape, dtype=np.int64)
+    for w, use in enumerate(used):
+        out[w, use] = rounded[w, size - use.size :]
+    return out
 
 
 def _nearest_plane(unit: Array, target: Array) -> Index:
-    rounded = np.zeros(target.size)
-    for i in range(target.size - 1, -1, -1):
-        value = target[i] - unit[i, i + 1 :] @ rounded[i + 1 :]
-        rounded[i] = 0.0 if abs(value) < _DEAD else np.rint(value)
+    """Round ``target`` ``(outputs, size)`` from its end, by triangles ``unit`` ``(outputs, size, size)`` with a diagonal of 1."""
+    rounded = np.zeros(target.shape)
+    for i in range(target.shape[1] - 1, -1, -1):
+        value = target[:, i] - np.einsum("wj,wj->w", unit[:, i, i + 1 :], rounded[:, i + 1 :])
+        rounded[:, i] = np.where(np.abs(value) < _DEAD, 0.0, np.rint(value))
     return rounded.astype(np.int64)

@@ -30,7 +30,7 @@ _STEP_BITS = 7
 
 @dataclass(frozen=True)
 class Rounded:
-    """Whole numbers ``(channels, count, first, rest)``, their step, their largest E_mean and their cost."""
+    """Whole numbers ``(classes, count, first, rest)``, their step, their largest E_mean and their cost."""
 
     numbers: Index
     step: float

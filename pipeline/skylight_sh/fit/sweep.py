@@ -35,20 +35,22 @@ class Worst:
 def sweep(
     coefficients: Array,
     vanders: Sequence[Floats],
-    prefactor: Array,
+    factor: Array,
+    waves: Array,
     reference: Reference,
     degrees: Sequence[Sequence[int]],
     bands: int,
 ) -> Worst:
     """Measure every combination of ``degrees`` (a list an axis) for the first 1..``bands`` bands.
 
-    ``coefficients`` ``(channels, count, d_1+1, .., d_D+1)`` belong to a nested basis; ``vanders[a]`` ``(n, d_a+1)`` is the
-    basis at each set's value; ``prefactor`` ``(n,)`` multiplies the polynomial. The degree of the first axis grows
-    fastest and only its newest terms are evaluated, so the sweep costs little more than its largest fit.
+    ``coefficients`` ``(classes, count, d_1+1, .., d_D+1)`` belong to a nested basis; ``vanders[a]`` ``(n, d_a+1)`` is the
+    basis at each set's value; ``factor`` ``(n, channels, classes)`` is what each channel takes of each class's polynomial,
+    ``waves`` ``(n, count)`` what each weight is multiplied with. The degree of the first axis grows fastest and only its
+    newest terms are evaluated, so the sweep costs little more than its largest fit.
     """
     use = reference.first_bands(bands)
     truth = reference.weights[..., use]
-    coefficients = coefficients[:, use]
+    coefficients, waves = coefficients[:, use], waves[:, use]
     outer = list(itertools.product(*degrees[1:]))
     combinations = [(first, *rest) for rest in outer for first in degrees[0]]
     channels = truth.shape[1]
@@ -66,7 +68,8 @@ def sweep(
         part = slice(start, start + _POINTS_AT_ONCE)
         sliced = [v[part] for v in vanders]
         for o, rest in enumerate(outer):
-            lines = _contract(coefficients, sliced[1:], rest) * prefactor[part, np.newaxis, np.newaxis, np.newaxis]
+            lines = np.einsum("nck,nkwi->ncwi", factor[part], _contract(coefficients, sliced[1:], rest))
+            lines *= waves[part, np.newaxis, :, np.newaxis]
             residual = -truth[part]
             done = 0
             for f, first in enumerate(degrees[0]):
@@ -79,7 +82,7 @@ def sweep(
 
 
 def _contract(coefficients: Array, vanders: Sequence[Floats], degrees: Sequence[int]) -> Array:
-    """Sum over all axes but the first, truncated at ``degrees``: ``(n, channels, count, d_1+1)``."""
+    """Sum over all axes but the first, truncated at ``degrees``: ``(n, classes, count, d_1+1)``."""
     if not vanders:
         return coefficients[np.newaxis]
     channels, count, first = coefficients.shape[:3]

@@ -1,36 +1,44 @@
-"""The fewest terms that all outputs need together under an error budget: what a table laid out for speed keeps."""
+"""The fewest terms that each class needs under an error budget: what a table laid out for speed keeps.
+
+All weights of a class keep the same terms, so that an evaluation is a sum of rows.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from skylight_sh.fit.minimax import Sampled, even, metric, sharpen
+from skylight_sh.reproducible import significant
 
 Array = NDArray[np.float64]
 Index = NDArray[np.int64]
 
 _ROUNDS = 8
-# Of rounds where four terms, a whole group, are at stake.
+# Of rounds where lengths are known, or where the last corner is at stake.
 _LONG_ROUNDS = 32
 # After the first rounds, an error this much above the budget does not come down to it.
 _HOPELESS = 1.1
-# Terms are summed four at a time.
-_GROUP = 4
-# Corners that are tried before one is taken away: those with the smallest coefficients.
-_CORNERS = 6
+# Corners that are tried before one is taken away: those with the smallest coefficients; and how many of them are sharpened.
+_CORNERS, _SHARPENED = 8, 2
+# Of the energy of a class's coefficients where only their order matters.
+_ENERGY_BITS = 20
 
 
 @dataclass(frozen=True)
 class Kept:
-    """``lengths`` ``(rest,)`` of the first axis, ``dense`` ``(channels, count, first, rest)`` and its largest E_mean."""
+    """``lengths`` ``(classes, rest)``, ``dense`` ``(classes, count, first, rest)`` and its largest E_mean.
+
+    ``seen`` is the largest E_mean on the fit's own grid, which is quicker to tell.
+    """
 
     lengths: Index
     dense: Array
     error: float
+    seen: float
 
 
 class _Search:
@@ -40,14 +48,20 @@ class _Search:
         self.grid, self.checked, self.shape, self.first = grid, checked, shape, first
         self.importance = even(grid)
         self.normal = metric(grid, self.importance)
+        # What a class's coefficients are worth in the channels.
+        self.worth = np.square(grid.factor).sum(axis=1).mean(axis=0)
+        self.tried: list[Kept] = []
 
-    def fit(self, lengths: Index) -> Kept:
-        """Fit the terms of ``lengths`` with the importance as it stands."""
-        rest = lengths.size
-        kept = np.flatnonzero((np.arange(self.first)[:, np.newaxis] < lengths).ravel())
+    def fit(self, lengths: Index, *, check: bool = True) -> Kept:
+        """Fit the terms of ``lengths`` with the importance as it stands; the error is told of all sets if asked for."""
+        kept = (np.arange(self.first)[:, np.newaxis] < lengths[:, np.newaxis, :]).reshape(len(lengths), -1)
         found = self.normal.best_of(kept)
-        error = self.checked.largest(found)
-        return Kept(lengths, found.reshape(*found.shape[:2], self.first, rest), error)
+        seen = self.grid.largest(found)
+        error = self.checked.largest(found) if check else seen
+        made = Kept(lengths, found.reshape(*found.shape[:2], self.first, -1), error, seen)
+        if check:
+            self.tried.append(made)
+        return made
 
     def sharpened(self, lengths: Index, budget: float, rounds: int = _ROUNDS) -> Kept:
         """Fit with the importance moved to the worst sets until the budget is met or no round helps; return the best."""
@@ -65,6 +79,11 @@ class _Search:
             self.importance, self.normal = importance, normal
         return best
 
+    def energy(self, dense: Array) -> Array:
+        """Return what coefficients ``(classes, count, ..)`` are worth, summed over the weights: ``(classes, ..)``."""
+        found = np.square(dense).sum(axis=1)
+        return significant(found * self.worth.reshape(-1, *(1,) * (found.ndim - 1)), _ENERGY_BITS)
+
 
 def fewest(
     grid: Sampled, checked: Sampled, shape: Sequence[int], first: int, budget: float, known: Index | None = None
@@ -72,110 +91,74 @@ def fewest(
     """Return the fewest terms found whose largest error over ``checked`` stays within ``budget``, and all tried.
 
     ``grid``, of ``shape``, is what is fitted; ``first`` is the size of the first axis' basis. Terms are ranked by the
-    largest coefficients that drop with them; a bisection finds how many are needed, corners that the budget does not
-    need are then taken away one by one, and the worst sets' importance is sharpened where that saves another. What is
-    left is filled up to a multiple of four terms, unless long sharpening meets the budget with the multiple below. Lengths
-    ``known`` from a search with a larger budget are taken where sharpening is enough. The first result is None where all
-    terms together exceed the budget.
+    coefficients that drop with them; a bisection finds how many are needed, corners that the budget does not need are then
+    taken away one by one, and the worst sets' importance is sharpened where that saves another. Lengths ``known`` from a
+    search with a larger budget are taken where sharpening is enough. The first result is None where all terms together
+    exceed the budget.
     """
-    if known is not None:
-        made = _Search(grid, checked, shape, first).sharpened(known, budget, _LONG_ROUNDS)
-        if made.error <= budget:
-            return made, [made]
     search = _Search(grid, checked, shape, first)
-    best, tried = _searched(search, budget)
-    while best is not None and best.lengths.sum() % _GROUP:
-        options = [search.fit(lengths) for lengths in _with_a_corner(best.lengths, first)]
-        tried += options
-        if not options:
-            break
-        best = min(options, key=lambda k: k.error)
-    if best is not None and best.error > budget:
-        best = search.sharpened(best.lengths, budget)
-    return best, tried
+    if known is not None:
+        made = search.sharpened(known, budget, _LONG_ROUNDS)
+        if made.error <= budget:
+            return made, search.tried
+        search = _Search(grid, checked, shape, first)
+    return _searched(search, budget), search.tried
 
 
-def _searched(search: _Search, budget: float) -> tuple[Kept | None, list[Kept]]:
-    """Return the fewest terms found, not yet filled up to whole groups, and all tried."""
-    first = search.first
-    ranked = _ranking(search.normal.best.reshape(*search.normal.best.shape[:2], first, -1))
-    tried: list[Kept] = []
-
-    def attempt(lengths: Index) -> Kept:
-        tried.append(search.fit(lengths))
-        return tried[-1]
-
+def _searched(search: _Search, budget: float) -> Kept | None:
+    size = search.normal.size
+    ranked = _ranking(search.energy(search.normal.best.reshape(*size[:2], search.first, -1)))
     low, high = 1, len(ranked)
-    if attempt(ranked[-1]).error > budget:
-        return None, tried
+    if search.fit(ranked[-1]).error > budget:
+        return None
     while low < high:
         middle = (low + high) // 2
-        if attempt(ranked[middle - 1]).error <= budget:
+        if search.fit(ranked[middle - 1]).error <= budget:
             high = middle
         else:
             low = middle + 1
-    best = search.fit(ranked[low - 1])
+    best, rounds = search.fit(ranked[low - 1]), _ROUNDS
     while True:
-        smaller = min((attempt(lengths) for lengths in _without_a_corner(best)), key=lambda k: k.error, default=None)
-        if smaller is not None and smaller.error > budget:
-            smaller = search.sharpened(smaller.lengths, budget)
-        if smaller is None or smaller.error > budget:
-            break
-        best = smaller
-    while (group := _a_group_less(search, ranked, best, attempt, budget)) is not None:
-        best = group
-    return best, tried
+        options = [search.fit(lengths, check=False) for lengths in _without_a_corner(search, best)]
+        options.sort(key=lambda k: k.seen)
+        for smaller in options[:_SHARPENED]:
+            made = search.sharpened(smaller.lengths, budget, rounds)
+            if made.error <= budget:
+                best = made
+                break
+        else:
+            if rounds == _LONG_ROUNDS:
+                return best
+            rounds = _LONG_ROUNDS
 
 
-def _a_group_less(
-    search: _Search, ranked: Sequence[Index], best: Kept, attempt: Callable[[Index], Kept], budget: float
-) -> Kept | None:
-    """Return a fit within ``budget`` with the next lower multiple of four terms, if one is found.
+def _ranking(energy: Array) -> list[Index]:
+    """Return lengths ``(classes, rest)`` of 1, 2, .. terms, each with the one more whose tail is worth most.
 
-    Two staircases are sharpened for long: the one that taking corner after corner away leaves, and the ranking's.
+    >>> _ranking(np.array([[[4.0, 1.0], [2.0, 0.5]]]))[1].tolist()
+    [[2, 0]]
     """
-    target = (int(best.lengths.sum()) - 1) // _GROUP * _GROUP
-    if target < _GROUP:
-        return None
-    fewer = best
-    while fewer.lengths.sum() > target:
-        fewer = min((attempt(lengths) for lengths in _without_a_corner(fewer)), key=lambda k: k.error)
-    for lengths in (fewer.lengths, ranked[target - 1]):
-        made = search.sharpened(lengths, budget, _LONG_ROUNDS)
-        if made.error <= budget:
-            return made
-    return None
-
-
-def _ranking(dense: Array) -> list[Index]:
-    """Return lengths ``(rest,)`` of 1, 2, .. terms, each with the one more whose tail holds the largest coefficients."""
-    energy = (dense**2).sum(axis=1).max(axis=0)
-    first, rest = energy.shape
-    tails = np.maximum.accumulate(energy[::-1], axis=0)[::-1]
-    lengths = np.zeros(rest, dtype=np.int64)
+    classes, first, rest = energy.shape
+    tails = np.maximum.accumulate(energy[:, ::-1], axis=1)[:, ::-1]
+    tails = np.concatenate([tails, np.full((classes, 1, rest), -1.0)], axis=1)
+    lengths = np.zeros((classes, rest), dtype=np.int64)
     found = []
-    for _ in range(first * rest):
-        worth = [tails[n, r] if n < first else -1.0 for r, n in enumerate(lengths)]
+    for _ in range(energy.size):
+        worth = np.take_along_axis(tails, lengths[:, np.newaxis], axis=1)[:, 0]
         lengths = lengths.copy()
-        lengths[int(np.argmax(worth))] += 1
+        lengths[np.unravel_index(int(np.argmax(worth)), worth.shape)] += 1
         found.append(lengths)
     return found
 
 
-def _without_a_corner(kept: Kept) -> Iterator[Index]:
+def _without_a_corner(search: _Search, kept: Kept) -> Iterator[Index]:
     """Yield the lengths without one corner, for the corners with the smallest coefficients."""
     lengths = kept.lengths
     if lengths.sum() > 1:
-        corners = np.flatnonzero(lengths)
-        energy = (kept.dense[:, :, lengths[corners] - 1, corners] ** 2).sum(axis=1).max(axis=0)
-        for r in corners[np.argsort(energy, kind="stable")[:_CORNERS]]:
+        energy = search.energy(kept.dense)
+        classes, rest = np.nonzero(lengths)
+        worth = energy[classes, lengths[classes, rest] - 1, rest]
+        for place in np.argsort(worth, kind="stable")[:_CORNERS]:
             out = lengths.copy()
-            out[r] -= 1
+            out[classes[place], rest[place]] -= 1
             yield out
-
-
-def _with_a_corner(lengths: Index, first: int) -> Iterator[Index]:
-    for r in np.flatnonzero(lengths < first):
-        out = lengths.copy()
-        out[r] += 1
-        yield out

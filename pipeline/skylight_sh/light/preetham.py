@@ -19,6 +19,7 @@ from skylight_sh.formula.elementary import label
 from skylight_sh.light import colour
 from skylight_sh.light.mixins import OwnCode
 from skylight_sh.light.protocol import OPTIONS, Array, Domain, Hints, Parameters, Prefactor, sun_angle
+from skylight_sh.reproducible import significant
 
 Floats = NDArray[np.floating]
 
@@ -118,10 +119,32 @@ class Preetham(OwnCode):
 
     @cached_property
     def hints(self) -> Hints:
-        """Mirror-symmetric, a cusp at the sun, and the zenith luminance factor as prefactor."""
+        """Mirror-symmetric, a cusp at the sun, the zenith luminance factor as prefactor; three classes with parity."""
         numbers = tuple(value for row in _PEREZ[self.constants] for value in row[:2])
-        prefactor = Prefactor("preetham_zenith", ("sun_zenith", "turbidity"), numbers, zenith_factor)
-        return Hints(mirrored=True, peak_axis="sun_zenith", prefactor=prefactor)
+        axes = ("sun_zenith", "turbidity")
+        return Hints(
+            mirrored=True,
+            peak_axis="sun_zenith",
+            prefactor=Prefactor("preetham_zenith", axes, numbers, zenith_factor),
+            parity=True,
+            classes=Prefactor("preetham_classes", axes, self._class_numbers, class_factors),
+            luminance=Prefactor("preetham_luminance", axes, self._class_numbers[:_OF_LUMINANCE], luminance_factor),
+        )
+
+    @cached_property
+    def _class_numbers(self) -> tuple[float, ...]:
+        """What ``class_factors`` reads: of Y a to e, of x and y gradation, c, d, e, then chromaticities and the colours."""
+        perez, zenith = np.array(_PEREZ[self.constants]), _ZENITH[self.constants]
+        found = perez[:, :2].ravel().tolist()
+        for column in (2, 4):
+            slopes, offsets = perez[:2, column], perez[:2, column + 1]
+            ends = [1.0 + (slopes[0] * tau + offsets[0]) * np.exp(slopes[1] * tau + offsets[1]) for tau in (2.5, 6.0)]
+            slope = (ends[1] - ends[0]) / 3.5
+            found += [*significant([slope, ends[0] - 2.5 * slope], 20).tolist(), *perez[2:, column : column + 2].ravel().tolist()]
+        # Of each chromaticity, by rising powers of theta, the polynomials in turbidity; none for the constant's square.
+        found += [zenith[i][j][3 - k] for i in range(2) for k in range(4) for j in range(3) if (j, k) != (0, 0)]
+        a, b, c = colour.matrix(self.colour_space).T
+        return (*found, *np.stack([a - c, b - c, c], axis=1).ravel().tolist())
 
     def radiance(self, directions: Array, parameters: Parameters) -> Array:
         """Return linear RGB of shape ``(..., 3)``; see ``Light.radiance``.
@@ -201,6 +224,81 @@ def zenith_factor(theta: Any, tau: Any, k: Sequence[Any]) -> Any:
     cosine = label(1 - z * (0.5 - z * (1 / 24 - z * (1 / 720))), "cosine")
     zenith = label((4.0453 * tau - 4.9710) * tan_above + (2.4192 - 0.2155 * tau) * tan_below, "zenith")
     return 1000 * zenith / (tan_below * (1 + a * up) * (1 + c * halo + e * (cosine * cosine)))
+
+
+def class_factors(theta: Any, tau: Any, k: Sequence[Any]) -> list[Any]:
+    """Return what red, green and blue take of three classes, ``(3, 3)`` row by row, in cd/m2.
+
+    With X, Y, Z = X, Y, S - X - Y, S = Y / y, the sky is three terms, each a factor of sun and turbidity times a shape that
+    hangs on the sun by the angle to it alone: so the weights of X, Y and S are their factors times sin^m(theta) times even
+    functions of theta (docs/mathematics.md). The classes are Y's and the small differences of X's and S's to it. ``k`` are
+    ``Preetham``'s numbers. Exponentials and tangent are polynomials exact to 1e-6 where they are not even in theta; what
+    hangs on turbidity alone may be coarser, since the fit divides by what a table multiplies by.
+    """
+    shape_y, zenith, below = _luminance_shape(theta, tau, k)
+    cosine2 = label(_cosine(theta) * _cosine(theta), "cosine2")
+    shape_x, shape_z = (
+        label((k[i] * tau + k[i + 1]) * _indicatrix(theta, cosine2, [k[j] * tau + k[j + 1] for j in (i + 2, i + 4, i + 6)]), n)
+        for i, n in ((10, "shape_x"), (18, "shape_z"))
+    )
+    x, y = (label(_chromaticity(theta, tau, k[i : i + 11]), name) for i, name in ((26, "x_zenith"), (37, "y_zenith")))
+    # X : Y : S are x F_y F_Y .. over one denominator.
+    one = label(zenith / (below * shape_y * y * shape_x), "one")
+    of_x, of_y, of_s = label(one * x * shape_z, "of_x"), label(one * y * shape_x, "of_y"), label(one * shape_z * shape_x, "of_s")
+    rows = []
+    for channel in range(3):
+        from_x, from_y, from_s = (k[48 + 3 * channel + i] * factor for i, factor in enumerate((of_x, of_y, of_s)))
+        rows += [from_x + from_y + from_s, from_x, from_s]
+    return rows
+
+
+_OF_LUMINANCE = 10
+"""How many of ``Preetham``'s numbers the factor of luminance reads."""
+
+
+def luminance_factor(theta: Any, tau: Any, k: Sequence[Any]) -> Any:
+    """Return ``Y_z / F_Y(0, theta)`` as ``class_factors`` has it, in cd/m2: exact enough for parity."""
+    shape, zenith, below = _luminance_shape(theta, tau, k)
+    return zenith / (below * shape)
+
+
+def _luminance_shape(theta: Any, tau: Any, k: Sequence[Any]) -> tuple[Any, Any, Any]:
+    """Return F_Y(0, theta), and numerator and denominator of the zenith's luminance in cd/m2."""
+    a, b, *others = (k[2 * i] * tau + k[2 * i + 1] for i in range(5))
+    up = label(1 + b * (0.25 + b * (1 / 32)), "up")
+    up = label(up * up, "up2")
+    cosine2 = label(_cosine(theta) * _cosine(theta), "cosine2")
+    shape = label((1 + a * (up * up)) * _indicatrix(theta, cosine2, others), "shape_y")
+    chi = label((4 / 9 - tau * (1 / 120)) * (np.pi - 2 * theta), "chi")
+    square = label(chi * chi, "square")
+    # tan chi by the continued fraction.
+    above, below = chi * (945 - square * (105 - square)), label(945 - square * (420 - 15 * square), "below")
+    zenith = (4045.3 * tau - 4971.0) * above + (2419.2 - 215.5 * tau) * below
+    return shape, label(zenith, "zenith"), below
+
+
+def _cosine(theta: Any) -> Any:
+    """Return cos theta but for 1e-3, even in theta."""
+    z = label(theta * theta, "z")
+    return label(1 - z * (0.5 - z * (1 / 24 - z * (1 / 720))), "cosine")
+
+
+def _indicatrix(theta: Any, cosine2: Any, k: Sequence[Any]) -> Any:
+    """Return ``1 + c exp(d theta) + e cos^2`` by exp(y) = exp(y / 16)^16."""
+    c, d, e = k
+    y = label(d * theta * (1 / 16), "y")
+    halo = label(1 + y * (1 + y * (0.5 + y * (1 / 6 + y * (1 / 24 + y * (1 / 120))))), "halo")
+    for power in (2, 4, 8, 16):
+        halo = label(halo * halo, f"halo{power}")
+    return 1 + c * halo + e * cosine2
+
+
+def _chromaticity(theta: Any, tau: Any, k: Sequence[Any]) -> Any:
+    """Return the zenith's x or y, a cubic in theta of quadratics in turbidity; the constant one is linear."""
+    found = 0.0
+    for i in (8, 5, 2):
+        found = (found + ((k[i] * tau + k[i + 1]) * tau + k[i + 2])) * theta
+    return found + (k[0] * tau + k[1])
 
 
 def _perez_sky(shape: Sequence[Floats] | Floats, secant: Floats | float, gamma: Floats, cos_gamma: Floats) -> Floats:

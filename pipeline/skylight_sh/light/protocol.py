@@ -33,7 +33,8 @@ class Domain:
 class Prefactor:
     """A closed form that the weights are divided by before the fit and multiplied by after evaluation.
 
-    ``formula(*parameters, constants)`` takes generic numbers, parameters in the order of ``axes``, and returns one.
+    ``formula(*parameters, constants)`` takes generic numbers, parameters in the order of ``axes``, and returns one; or as
+    ``Hints.classes`` a list of channels times classes, a channel after another.
     """
 
     name: str
@@ -50,12 +51,20 @@ class Hints:
     ``peak_axis``: the parameter that is the zenith angle of the light's peak, in radians.
     ``peak_zenith``: that angle where it is no parameter.
     ``prefactor``: a closed form that carries most of the weights' change.
+    ``parity``: weights of order m are the prefactor times sin^m of the peak's zenith angle times a smooth even function of it
+    (checked by sampling before use).
+    ``classes``: the matrix that turns the weights of a few functions of that kind, classes, into those of the channels, where
+    no one prefactor does.
+    ``luminance``: the prefactor of the light's luminance alone, where that is simpler.
     """
 
     mirrored: bool = False
     peak_axis: str | None = None
     peak_zenith: float | None = None
     prefactor: Prefactor | None = None
+    parity: bool = False
+    classes: Prefactor | None = None
+    luminance: Prefactor | None = None
 
 
 class LightError(UserError, ValueError):

@@ -108,6 +108,12 @@ class Luminance(OneChannel, _Derived):
         """Name for people."""
         return f"{self.light.title}, luminance"
 
+    @property
+    def hints(self) -> Hints:
+        """The light's own, with the factor of its luminance."""
+        hints = self.light.hints
+        return replace(hints, prefactor=hints.luminance or hints.prefactor, classes=None)
+
     def radiance(self, directions: Array, parameters: Parameters) -> Array:
         """Return the light's luminance, ``(..., 1)``."""
         return np.asarray(self.light.radiance(directions, parameters) @ self.light.luminance_row)[..., np.newaxis]

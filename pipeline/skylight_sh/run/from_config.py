@@ -55,10 +55,25 @@ def scale_of(config: Config, inputs: Inputs) -> Scale | None:
     axes = tuple(axis.specified for axis in axes_of(config, inputs))
     if config.fit.prefactor == "auto":
         return reciprocal(inputs[VARIABLES]["denominator"], axes)
-    hint = config.source.hints.prefactor
+    hints = config.source.hints
+    hint = hints.classes if hints.classes and parity_of(config) else hints.prefactor
     if not (config.fit.prefactor and hint):
         return None
     return closed_form(hint, axes, config.scene.fixed)
+
+
+def parity_of(config: Config) -> str:
+    """Return the axis about which the fit uses the weights' parity, or nothing: that of the peak, if its map is even.
+
+    It needs the light's factors, and a scene that leaves its classes what they are: the sun's disc has other colours, and an
+    uneven ground mixes each channel otherwise.
+    """
+    hints, scene = config.source.hints, config.scene
+    even = [axis.name for axis in config.axes if axis.map == "even"]
+    albedos = set(scene.ground) if isinstance(scene.ground, tuple | list) else set()
+    mixes = scene.sun_disc or (hints.classes is not None and len(albedos) > 1)
+    used = hints.parity and hints.peak_axis in even and config.fit.prefactor is True and not mixes
+    return str(hints.peak_axis) if used else ""
 
 
 def surroundings_of(inputs: Inputs) -> dict[int, Surroundings]:
@@ -87,6 +102,7 @@ def specification_of(config: Config, inputs: Inputs, harmonics: Harmonics) -> Sp
         sun_disc=scene.sun_disc,
         peak_axis=peak if peak in [axis.name for axis in config.axes] else None,
         twilight=TWILIGHT if scene.twilight else None,
+        parity=bool(parity_of(config)),
     )
 
 
@@ -99,7 +115,7 @@ def fit_of(config: Config, inputs: Inputs) -> GridFit:
     """Return what the step ``fit`` has fitted."""
     made = inputs["fit"]
     axes, scale = axes_of(config, inputs), scale_of(config, inputs)
-    return GridFit(made["coefficients"], axes, config.fit.basis, scale, float(made["condition"]))
+    return GridFit(made["coefficients"], axes, config.fit.basis, scale, float(made["condition"]), parity_of(config))
 
 
 def reference_of(config: Config, inputs: Inputs, truths: Sequence[str]) -> Reference:

@@ -15,10 +15,12 @@ from skylight_sh.fit.sweep import Worst, sweep
 from skylight_sh.formula.bases import BASES
 from skylight_sh.quadrature import parameter_points
 from skylight_sh.runtime import Scale
+from skylight_sh.sphere import Harmonics
 from skylight_sh.table import prefactor
 from skylight_sh.table import table as tables
 
 Array = NDArray[np.float64]
+Index = NDArray[np.int64]
 
 TENSOR = "tensor"
 """The solver of one small system an axis; the others, ``least_squares.SOLVERS``, solve one over all points of the grid."""
@@ -26,9 +28,10 @@ TENSOR = "tensor"
 
 @dataclass(frozen=True)
 class GridFit:
-    """Coefficients ``dense`` ``(channels, count, d_1+1, .., d_D+1)`` of products of a ``basis`` over ``axes``.
+    """Coefficients ``dense`` ``(classes, count, d_1+1, .., d_D+1)`` of products of a ``basis`` over ``axes``.
 
-    ``scale`` multiplies the polynomials; ``condition`` is the condition number of the whole system of equations.
+    ``scale`` turns the polynomials into weights, with ``parity`` about the axis of that name their orders' powers of its
+    sine; ``condition`` is the condition number of the whole system of equations.
     """
 
     dense: Array
@@ -36,6 +39,7 @@ class GridFit:
     basis: str
     scale: Scale | None
     condition: float
+    parity: str = ""
 
     def products(self, sets: Array) -> Array:
         """Return all products of basis functions at parameter sets ``(n, axes)``: ``(n, terms)``."""
@@ -43,13 +47,24 @@ class GridFit:
         return np.asarray(tables.products(self.basis, self.axes, sets, degrees), dtype=np.float64)
 
 
-def factor_at(scale: Scale | None, sets: Array) -> Array:
-    """Return the factor at parameter sets ``(n, axes)`` in double precision, ``(n,)``; ones where there is none.
+def factor_at(scale: Scale | None, sets: Array, channels: int) -> Array:
+    """Return what each channel takes of each class at parameter sets ``(n, axes)``: ``(n, channels, classes)``.
 
-    >>> factor_at(None, np.zeros((2, 1))).tolist()
-    [1.0, 1.0]
+    In double precision; ones on the diagonal where there is no factor.
+
+    >>> factor_at(None, np.zeros((1, 1)), 2).tolist()
+    [[[1.0, 0.0], [0.0, 1.0]]]
     """
-    return np.asarray(prefactor.evaluate(scale, sets), dtype=np.float64)
+    found = np.asarray(prefactor.evaluate(scale, sets), dtype=np.float64)
+    if found.shape[1] > 1:
+        return found.reshape(len(sets), channels, -1)
+    return np.asarray(found[:, :, np.newaxis] * np.eye(channels))
+
+
+def sines_at(axes: Sequence[Axis], parity: str, sets: Array) -> Array:
+    """Return the sine of the axis ``parity`` at parameter sets ``(n, axes)``, ``(n,)``; ones where that names none."""
+    names = [axis.name for axis in axes]
+    return np.sin(sets[:, names.index(parity)]) if parity else np.ones(len(sets))
 
 
 def system(
@@ -57,10 +72,12 @@ def system(
 ) -> tuple[Array, list[Array]]:
     """Return the right side ``(n_1, .., n_D, outputs)`` and the basis ``(n_a, d_a+1)`` at each axis's ``nodes``.
 
-    ``samples`` ``(n_1, .., n_D, channels, count)`` are divided by the factor.
+    ``samples`` ``(n_1, .., n_D, channels, count)`` are divided by the factor: outputs are those of classes.
     """
-    shape = samples.shape[:-2]
-    right = samples / factor_at(scale, parameter_points.grid(list(nodes))).reshape(*shape, 1, 1)
+    shape, channels = samples.shape[:-2], samples.shape[-2]
+    factor = factor_at(scale, parameter_points.grid(list(nodes)), channels)
+    flat = samples.reshape(len(factor), channels, -1)
+    right = np.linalg.solve(factor, flat) if factor.shape[1] == factor.shape[2] else np.linalg.pinv(factor) @ flat
     vander = BASES[basis].vander
     matrices = [np.asarray(vander(a.scaled(n), d), dtype=np.float64) for a, n, d in zip(axes, nodes, degrees, strict=True)]
     return right.reshape(*shape, -1), matrices
@@ -74,8 +91,13 @@ def fit(
     basis: str,
     solver: str,
     scale: Scale | None,
+    parity: str = "",
+    orders: Index | None = None,
 ) -> GridFit:
     """Fit ``samples`` as ``system`` sets it up. Raises LinAlgError where the solver gives up, ValueError for another one.
+
+    With ``parity`` about the axis of that name, polynomials of a weight of order m, of ``orders`` ``(count,)``, are fitted
+    times sin^m of its value.
 
     >>> axis = Axis("height", 0.0, 1.0)
     >>> nodes = [axis.fit_nodes(3, "chebyshev")]
@@ -84,12 +106,22 @@ def fit(
     [[[1.5, 0.5]]]
     """
     right, matrices = system(samples, axes, nodes, degrees, basis, scale)
-    if solver == TENSOR:
-        solution = least_squares.fit_tensor(right, matrices)
-    else:
-        solution = least_squares.fit_full(right, matrices, solver)
-    dense = solution.reshape(*samples.shape[-2:], *solution.shape[1:])
-    return GridFit(dense, axes, basis, scale, least_squares.condition(matrices))
+    count = samples.shape[-1]
+    powers = np.abs(orders) if parity and orders is not None else np.zeros(count, dtype=np.int64)
+    place = [axis.name for axis in axes].index(parity) if parity else 0
+    split = right.reshape(*right.shape[:-1], -1, count)
+    dense = np.empty((*split.shape[-2:], *(m.shape[1] for m in matrices)))
+    for m in np.unique(powers).tolist():
+        use = np.flatnonzero(powers == m)
+        weighed = list(matrices)
+        weighed[place] = np.sin(nodes[place])[:, np.newaxis] ** m * matrices[place] if m else matrices[place]
+        part = split[..., use].reshape(*split.shape[:-2], -1)
+        if solver == TENSOR:
+            found = least_squares.fit_tensor(part, weighed)
+        else:
+            found = least_squares.fit_full(part, weighed, solver)
+        dense[:, use] = found.reshape(split.shape[-2], use.size, *found.shape[1:])
+    return GridFit(dense, axes, basis, scale, least_squares.condition(matrices), parity)
 
 
 def swept(made: GridFit, reference: Reference, degrees: Sequence[Sequence[int]], bands: int) -> Worst:
@@ -99,5 +131,8 @@ def swept(made: GridFit, reference: Reference, degrees: Sequence[Sequence[int]],
         vander(axis.scaled(reference.parameters[:, i]), size - 1)
         for i, (axis, size) in enumerate(zip(made.axes, made.dense.shape[2:], strict=True))
     ]
-    factor = factor_at(made.scale, reference.parameters)
-    return sweep(made.dense, vanders, factor, reference, degrees, bands)
+    factor = factor_at(made.scale, reference.parameters, reference.weights.shape[1])
+    sines = sines_at(made.axes, made.parity, reference.parameters)
+    powers = np.abs(Harmonics.of_degrees(reference.degrees).orders) * bool(made.parity)
+    waves = sines[:, np.newaxis] ** powers
+    return sweep(made.dense, vanders, factor, waves, reference, degrees, bands)

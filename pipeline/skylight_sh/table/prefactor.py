@@ -27,7 +27,8 @@ def closed_form(prefactor: Prefactor, axes: Sequence[Axis], fixed: Mapping[str, 
         *values, constants = arguments
         named = dict(zip((axis.name for axis in axes), values, strict=True))
         named |= {name: expression(value) for name, value in known.items()}
-        return [prefactor.formula(*(named[name] for name in prefactor.axes), constants)]
+        found = prefactor.formula(*(named[name] for name in prefactor.axes), constants)
+        return list(found) if isinstance(found, list | tuple) else [found]
 
     program = trace(formula, [axis.name for axis in axes], prefactor.constants)
     return Scale(CLOSED_FORM, prefactor.name, program, tuple(known.items()))
@@ -58,15 +59,15 @@ def reciprocal(coefficients: Floats, axes: Sequence[Axis]) -> Scale:
 
 
 def evaluate(scale: Scale | None, values: Floats) -> Floats:
-    """Return the factor at parameter sets ``(n, axes)``, shape ``(n,)``, in their dtype; ones where there is none.
+    """Return the factors at parameter sets ``(n, axes)``, shape ``(n, outputs)``, in their dtype; ones where there are none.
 
     >>> evaluate(None, np.zeros((2, 1))).tolist()
-    [1.0, 1.0]
+    [[1.0], [1.0]]
     """
     if scale is None:
-        return np.ones(len(values), dtype=values.dtype)
-    found = scale.program.run([np.ascontiguousarray(values[:, i]) for i in range(values.shape[1])])[0]
-    return np.broadcast_to(found, len(values))
+        return np.ones((len(values), 1), dtype=values.dtype)
+    found = scale.program.run([np.ascontiguousarray(values[:, i]) for i in range(values.shape[1])])
+    return np.stack([np.broadcast_to(one, len(values)) for one in found], axis=1)
 
 
 def numbers(scale: Scale | None) -> int:

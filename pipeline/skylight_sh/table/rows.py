@@ -1,6 +1,7 @@
-"""The fast body of a table: one row of coefficients a term, one column an output, in the order of ``row_layout``.
+"""The fast body of a table: for each class a row of coefficients a term, one column an output.
 
-All outputs keep the same terms, so that an evaluation is a sum of rows, each times one number: no reduction, no index.
+All outputs of a class keep the same terms, so that an evaluation is a sum of rows, each times one number: no reduction, no
+index.
 """
 
 from __future__ import annotations
@@ -10,20 +11,20 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from skylight_sh.runtime import Rows, kept_terms
+from skylight_sh.runtime import ClassRows, kept_terms
 
 Floats = NDArray[np.floating]
 Lengths = NDArray[np.integer]
 
 
-def arrange(dense: Floats, lengths: Lengths, columns: NDArray[np.int64], width: int, dtype: str) -> Rows:
-    """Make rows of ``dense`` ``(channels, count, first, rest)``, whose columns are ``(channels, count)`` of ``width``."""
-    kept = kept_terms(lengths)
-    flat = dense.reshape(*dense.shape[:2], -1)[..., kept]
-    rows = np.zeros((kept.size, width), dtype=dtype)
-    placed = columns.ravel() >= 0
-    rows[:, columns.ravel()[placed]] = flat.reshape(-1, kept.size).T[:, placed].astype(dtype)
-    return Rows(lengths.astype(np.uint8), rows, columns.astype(np.int16))
+def arrange(dense: Floats, lengths: Lengths, columns: NDArray[np.int16], dtype: str) -> ClassRows:
+    """Make rows of ``dense`` ``(classes, count, first, rest)``; ``lengths`` ``(classes, rest)``, ``columns`` ``(count,)``."""
+    used = columns >= 0
+    rows = [
+        own.reshape(len(own), -1)[used][:, kept_terms(length)].T.astype(dtype)
+        for own, length in zip(dense, lengths, strict=True)
+    ]
+    return ClassRows(lengths.astype(np.uint8), np.concatenate(rows), columns)
 
 
 def used_degrees(lengths: Lengths, degrees: Sequence[int]) -> tuple[int, ...]:

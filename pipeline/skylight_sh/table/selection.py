@@ -24,7 +24,7 @@ from skylight_sh.sphere import Harmonics
 from skylight_sh.table import packed
 from skylight_sh.table import table as tables
 from skylight_sh.table.errors import headline
-from skylight_sh.table.grid_fit import factor_at
+from skylight_sh.table.grid_fit import factor_at, sines_at
 from skylight_sh.table.request import Request
 from skylight_sh.table.row_layout import stored
 from skylight_sh.table.size import bytes_of
@@ -245,10 +245,16 @@ def _within(request: Request, size: int, data: SearchData) -> tuple[Table, list[
 def _sampled(data: SearchData, sets: Array, weights: Array, least: Array, shape: tuple[int, ...], bands: int) -> Sampled:
     spec = data.spec
     harmonics = stored(spec, bands)
-    scale = factor_at(spec.scale, sets) / least
-    basis = np.asarray(tables.products(spec.basis, data.axes, sets, data.degrees), dtype=np.float64)
-    truth = weights[..., : harmonics.count] * data.window(harmonics)
-    return Sampled(basis * scale[:, np.newaxis], truth / least[:, np.newaxis, np.newaxis], shape)
+    scaled = least[:, np.newaxis, np.newaxis]
+    parity = str(spec.peak_axis) if spec.parity else ""
+    return Sampled(
+        np.asarray(tables.products(spec.basis, data.axes, sets, data.degrees), dtype=np.float64),
+        factor_at(spec.scale, sets, len(spec.channels)) / scaled,
+        weights[..., : harmonics.count] * data.window(harmonics) / scaled,
+        sines_at(data.axes, parity, sets),
+        np.abs(harmonics.orders) * spec.parity,
+        shape,
+    )
 
 
 def _both(data: SearchData, bands: int) -> tuple[Sampled, Sampled]:
@@ -266,11 +272,11 @@ def _fast(
     bands, dtype, first = request.bands, request.dtype, data.degrees[0] + 1
     best, tried = fewest(*_both(data, bands), data.shape, first, aim, known)
     rest = tuple(d + 1 for d in data.degrees[1:])
-    empty = np.zeros((len(data.spec.channels), stored(data.spec, bands).count, first, *rest))
+    empty = np.zeros((data.spec.classes, stored(data.spec, bands).count, first, *rest))
 
     def table(lengths: Index, dense: Array) -> Table:
         shaped = _gridded(data, dense.reshape(empty.shape), dtype)
-        return tables.fast(data.spec, shaped, lengths.reshape(rest), bands, dtype, data.surroundings.get(bands))
+        return tables.fast(data.spec, shaped, lengths.reshape(-1, *rest), bands, dtype, data.surroundings.get(bands))
 
     points = [(float(bytes_of(table(k.lengths, empty))), k.error) for k in tried]
     return (table(best.lengths, best.dense), points, best.lengths) if best else (None, points, None)

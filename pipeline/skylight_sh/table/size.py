@@ -6,7 +6,7 @@ import numpy as np
 
 from skylight_sh.runtime import Packed, Table, unpack
 from skylight_sh.table import packed, prefactor, twilight
-from skylight_sh.table.row_layout import layout
+from skylight_sh.table.row_layout import widths
 
 
 def bytes_of(table: Table, bands: int | None = None) -> int:
@@ -17,8 +17,8 @@ def bytes_of(table: Table, bands: int | None = None) -> int:
     >>> from skylight_sh.fit.axis import Axis
     >>> from skylight_sh.table import table as tables
     >>> spec = tables.specification([Axis("height", 0.0, 1.0)], ("luminance",), True, "chebyshev")
-    >>> bytes_of(tables.whole(spec, np.ones((1, 1, 3)), 1, "float32"))  # 3 rows of 8, range and map, length, width
-    114
+    >>> bytes_of(tables.whole(spec, np.ones((1, 1, 3)), 1, "float32"))  # 3 numbers, range and map, a length, a width
+    30
     """
     spec, body, around = table.spec, table.body, table.surroundings
     bands = table.bands if around or bands is None else bands
@@ -33,9 +33,9 @@ def bytes_of(table: Table, bands: int | None = None) -> int:
         # Beside stream and profiles, one byte a profile's entry, the step.
         stored = len(part.stream) + part.rest_profile.size + part.channel_profile.size
         return stored + table.dtype.itemsize * (numbers + 1)
-    widths = layout(spec, table.bands).widths
-    read = len(body.rows) * widths[bands - 1] + numbers
-    return read * table.dtype.itemsize + body.lengths.nbytes + len(widths)
+    columns = widths(spec, table.bands)
+    read = len(body.rows) * columns[bands - 1] + numbers
+    return read * table.dtype.itemsize + body.lengths.nbytes + len(columns)
 
 
 def coefficients_of(table: Table) -> int:
@@ -49,4 +49,4 @@ def coefficients_of(table: Table) -> int:
     """
     if isinstance(table.body, Packed):
         return int(np.count_nonzero(unpack(table.body, table.places)))
-    return len(table.body.rows) * int(np.count_nonzero(table.body.columns >= 0))
+    return int(table.body.rows.size)

@@ -12,7 +12,7 @@ from skylight_sh.fit.axis import Axis
 from skylight_sh.formula.bases import BASES
 from skylight_sh.runtime import Program, Scale, Specification, Surroundings, Table, Twilight
 from skylight_sh.table import packed, rows
-from skylight_sh.table.row_layout import layout, stored
+from skylight_sh.table.row_layout import columns, stored
 
 Array = NDArray[np.float64]
 Floats = NDArray[np.floating]
@@ -32,6 +32,7 @@ def specification(
     sun_disc: bool = False,
     peak_axis: str | None = None,
     twilight: Twilight | None = None,
+    parity: bool = False,
 ) -> Specification:
     """Return what all tables of one fit over ``axes`` have in common; see ``runtime.Specification``."""
     return Specification(
@@ -47,6 +48,7 @@ def specification(
         sun_disc=sun_disc,
         peak_axis=peak_axis,
         twilight=twilight,
+        parity=parity,
     )
 
 
@@ -72,20 +74,17 @@ def fast(
     dtype: str,
     surroundings: Surroundings | None = None,
 ) -> Table:
-    """Make a table laid out for speed of ``dense`` ``(channels, count, d_1+1, .., d_D+1)``.
+    """Make a table laid out for speed of ``dense`` ``(classes, count, d_1+1, .., d_D+1)``.
 
-    ``lengths`` ``(d_2+1, .., d_D+1)`` says how many terms of the first axis to keep; powers that nothing keeps are dropped.
+    ``lengths`` ``(classes, d_2+1, .., d_D+1)`` says how many terms of the first axis to keep; powers that nothing keeps are
+    dropped.
     """
-    degrees = rows.used_degrees(lengths.ravel(), [d - 1 for d in dense.shape[2:]])
+    degrees = rows.used_degrees(lengths.max(axis=0).ravel(), [d - 1 for d in dense.shape[2:]])
     cut = tuple(slice(d + 1) for d in degrees)
-    harmonics = stored(spec, bands)
-    part = dense[(slice(None), slice(harmonics.count), *cut)]
-    kept = lengths[cut[1:]].ravel() if len(cut) > 1 else lengths.ravel()
-    placed = layout(spec, bands)
-    columns = placed.columns(harmonics, len(spec.channels))
+    part = dense[(slice(None), slice(stored(spec, bands).count), *cut)]
+    kept = lengths[(slice(None), *cut[1:])].reshape(len(lengths), -1)
     flat = part.reshape(*part.shape[:3], -1)
-    body = rows.arrange(flat, kept, columns, len(placed.places), dtype)
-    return Table(spec, bands, _terms(spec, degrees), body, surroundings)
+    return Table(spec, bands, _terms(spec, degrees), rows.arrange(flat, kept, columns(spec, bands), dtype), surroundings)
 
 
 def whole(spec: Specification, dense: Array, bands: int, dtype: str, surroundings: Surroundings | None = None) -> Table:
@@ -95,7 +94,7 @@ def whole(spec: Specification, dense: Array, bands: int, dtype: str, surrounding
     >>> whole(spec, np.array([[[3.0, 1.0]]]), 1, "float32").evaluate(np.array([[0.0], [1.0]])).ravel().tolist()
     [2.0, 4.0]
     """
-    return fast(spec, dense, np.full(dense.shape[3:], dense.shape[2]), bands, dtype, surroundings)
+    return fast(spec, dense, np.full((len(dense), *dense.shape[3:]), dense.shape[2]), bands, dtype, surroundings)
 
 
 def small(
@@ -106,7 +105,7 @@ def small(
     bands: int,
     surroundings: Surroundings | None = None,
 ) -> Table:
-    """Make a packed table of whole ``numbers`` ``(count, channels, first, rest)`` of size ``step``.
+    """Make a packed table of whole ``numbers`` ``(count, classes, first, rest)`` of size ``step``.
 
     ``degrees`` are those of the numbers, an axis; powers that nothing keeps are dropped.
     """

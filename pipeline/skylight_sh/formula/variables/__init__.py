@@ -17,5 +17,6 @@ VARIABLES: Registry[Variable] = Registry(
         "log": "skylight_sh.formula.variables.log:VARIABLE",
         "reciprocal": "skylight_sh.formula.variables.reciprocal:VARIABLE",
         "cbrt": "skylight_sh.formula.variables.cbrt:VARIABLE",
+        "even": "skylight_sh.formula.variables.even:VARIABLE",
     }
 )

@@ -9,7 +9,7 @@ from skylight_sh.fit.axis import Axis
 from skylight_sh.quadrature import parameter_points
 from skylight_sh.run.config_axes import axes_of, fit_nodes, harmonics_of
 from skylight_sh.run.executors import Advance
-from skylight_sh.run.from_config import scale_of, scene_of
+from skylight_sh.run.from_config import parity_of, scale_of, scene_of
 from skylight_sh.run.plan import Inputs
 from skylight_sh.run.steps import GRID
 from skylight_sh.scene.fold import fold
@@ -29,10 +29,13 @@ def make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
     degrees = [axis.degrees[1] for axis in config.axes]
     # Of a grid's systems, one a axis is the whole one's solution.
     solver = grid_fit.TENSOR if config.fit.solver == "svd" else config.fit.solver
-    made = grid_fit.fit(samples, axes, nodes, degrees, config.fit.basis, solver, scale_of(config, inputs))
+    made = grid_fit.fit(
+        *(samples, axes, nodes, degrees, config.fit.basis, solver, scale_of(config, inputs)),
+        *(parity_of(config), harmonics.orders),
+    )
     powers = tuple(f"power_{axis.name}" for axis in axes)
     found = {
-        "coefficients": Variable(("channel", "weight", *powers), made.dense),
+        "coefficients": Variable(("class", "weight", *powers), made.dense),
         "condition": Variable((), np.array(made.condition)),
     }
     for done, section in enumerate(config.fit.references):
