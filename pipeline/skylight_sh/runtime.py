@@ -716,7 +716,8 @@ def _no_archive(path: str | Path | BinaryIO) -> str:
 
 # What a file may hold, by the name that stands in it under "is".
 KINDS: Mapping[str, Any] = {
-    kind.__name__: kind for kind in (Table, Specification, Axis, Program, Scale, Twilight, ClassRows, Rows, Packed, Surroundings)
+    kind.__name__: kind
+    for kind in (Table, Specification, Axis, Program, Scale, Twilight, ClassRows, Rows, Packed, Surroundings)
 }
 
 

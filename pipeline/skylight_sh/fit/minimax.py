@@ -86,13 +86,15 @@ class Sampled:
 
 @dataclass(frozen=True)
 class System:
-    """Normal equations of some weights of some classes: ``gram`` ``(u, u)``, ``right`` ``(outputs, u)``, u = classes * terms.
+    """Normal equations of some weights and ``terms`` of some classes: ``gram`` ``(u, u)``, ``right`` ``(outputs, u)``.
 
-    The error of other coefficients exceeds the least one by their distance to the best in ``gram``.
+    u is classes times terms, the terms of a class after those of another. The error of other coefficients exceeds the least
+    one by their distance to the best in ``gram``.
     """
 
     classes: tuple[int, ...]
     outputs: Index
+    terms: Index
     gram: Array
     right: Array
 
@@ -110,7 +112,7 @@ class Metric:
         return self.best_of(np.ones((self.size[0], self.size[2]), dtype=bool))
 
     def best_of(self, kept: NDArray[np.bool_]) -> Array:
-        """Return the best coefficients of the terms ``kept`` ``(classes, terms)`` alone, zeros elsewhere.
+        """Return the best coefficients of the terms ``kept`` ``(classes, terms)`` that systems have, zeros elsewhere.
 
         >>> sampled = Sampled(np.eye(2), np.ones((2, 1, 1)), np.array([[[3.0]], [[5.0]]]), np.ones(2), np.zeros(1, dtype=int))
         >>> metric(sampled, np.full((2, 1), 0.5)).best_of(np.array([[False, True]])).round(6).tolist()
@@ -118,7 +120,7 @@ class Metric:
         """
         out = np.zeros(self.size)
         for system in self.systems:
-            use = np.flatnonzero(kept[list(system.classes)].ravel())
+            use = np.flatnonzero(kept[np.ix_(system.classes, system.terms)].ravel())
             solved = _solved(system.gram[np.ix_(use, use)], system.right[:, use].T).T
             flat = np.zeros(system.right.shape)
             flat[:, use] = solved
@@ -129,7 +131,7 @@ class Metric:
 def put(coefficients: Array | Index, system: System, flat: Array | Index) -> None:
     """Put what was found for a system, ``(outputs, u)``, where it belongs in ``(classes, count, terms)``."""
     parts = flat.reshape(len(flat), len(system.classes), -1).swapaxes(0, 1)
-    coefficients[np.ix_(system.classes, system.outputs)] = parts
+    coefficients[np.ix_(system.classes, system.outputs, system.terms)] = parts
 
 
 def _solved(gram: Array, right: Array) -> Array:
@@ -139,21 +141,23 @@ def _solved(gram: Array, right: Array) -> Array:
     return np.asarray(linalg.solve(gram, right, assume_a="pos"))
 
 
-def metric(sampled: Sampled, importance: Array) -> Metric:
+def metric(sampled: Sampled, importance: Array, terms: Index | None = None) -> Metric:
     """Build the metric of ``sum importance * error**2``; ``importance`` ``(n, channels)`` sums to 1.
+
+    Of all terms, or of some, which is quicker.
 
     >>> sampled = Sampled(np.eye(2), np.ones((2, 1, 1)), np.ones((2, 1, 1)), np.ones(2), np.zeros(1, dtype=int))
     >>> [found] = metric(sampled, np.full((2, 1), 0.5)).systems
     >>> found.gram.round(6).tolist(), found.right.tolist()
     ([[0.5, 0.0], [0.0, 0.5]], [[0.5, 0.5]])
     """
-    return Metric(
-        tuple(_system(sampled, importance, group, m) for group in sampled.groups for m in sampled.waves), sampled.size
-    )
+    use = np.arange(sampled.basis.shape[1]) if terms is None else terms
+    systems = [_system(sampled, importance, group, m, use) for group in sampled.groups for m in sampled.waves]
+    return Metric(tuple(systems), sampled.size)
 
 
-def _system(sampled: Sampled, importance: Array, group: tuple[int, ...], m: int) -> System:
-    basis, terms = sampled.basis, sampled.basis.shape[1]
+def _system(sampled: Sampled, importance: Array, group: tuple[int, ...], m: int, use: Index) -> System:
+    basis, terms = np.ascontiguousarray(sampled.basis[:, use]), use.size
     outputs = np.flatnonzero(sampled.orders == m)
     wave = sampled.waves[m][:, np.newaxis]
     factors = sampled.factor[:, :, list(group)] * wave[:, :, np.newaxis]
@@ -168,7 +172,7 @@ def _system(sampled: Sampled, importance: Array, group: tuple[int, ...], m: int)
         right[:, i] = (weighed[:, :, np.newaxis] * truth).sum(axis=1).T @ basis
     flat = gram.reshape(len(group) * terms, -1)
     flat[np.diag_indices(len(flat))] += _RIDGE * np.trace(flat) / len(flat)
-    return System(group, outputs, flat, right.reshape(outputs.size, -1))
+    return System(group, outputs, use, flat, right.reshape(outputs.size, -1))
 
 
 def even(sampled: Sampled) -> Array:

@@ -34,7 +34,7 @@ def round_kept(metric: Metric, lengths: Index, first: int, step: float) -> Index
     rounding costs least take up what is left. Plain rounding needs a step about 1.5 times finer for the same error.
 
     >>> gram, right = np.array([[2.0, 1.0], [1.0, 2.0]]), np.array([[4.2, 4.2]])  # the best: 1.4 and 1.4
-    >>> metric = Metric((System((0,), np.array([0]), gram, right),), (1, 1, 2))
+    >>> metric = Metric((System((0,), np.array([0]), np.arange(2), gram, right),), (1, 1, 2))
     >>> round_kept(metric, np.full((1, 1, 1), 2), 2, 1.0).ravel().tolist()
     [2, 1]
     """
@@ -42,7 +42,7 @@ def round_kept(metric: Metric, lengths: Index, first: int, step: float) -> Index
     keep = (np.arange(first)[:, np.newaxis] < lengths[:, :, np.newaxis, :]).reshape(classes, count, -1)
     out = np.zeros((classes, count, first * rest), dtype=np.int64)
     for system in metric.systems:
-        own = keep[np.ix_(system.classes, system.outputs)].swapaxes(0, 1).reshape(len(system.outputs), -1)
+        own = keep[np.ix_(system.classes, system.outputs, system.terms)].swapaxes(0, 1).reshape(len(system.outputs), -1)
         put(out, system, _rounded(system, own, step))
     return out.reshape(classes, count, first, rest)
 

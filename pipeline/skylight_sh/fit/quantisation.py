@@ -66,7 +66,10 @@ def smallest(
         nonlocal best
         lengths = lengths_above(normal.best.reshape(*normal.best.shape[:2], first, -1), threshold * step)
         numbers = round_kept(normal, lengths, first, step)
-        error = checked.largest(_values(numbers, step))
+        values = _values(numbers, step)
+        # All sets are asked where the fit's own grid does not say no.
+        error = grid.largest(values)
+        error = max(error, checked.largest(values)) if error <= budget else error
         made = Rounded(numbers, step, error, cost(numbers) if error <= 1.5 * budget else 0)
         if made.cost:
             tried.append(replace(made, numbers=numbers[:0]))
@@ -84,10 +87,18 @@ def smallest(
                     break
                 step = rounded(step * float(np.clip(0.985 * budget / made.error, 1.0 / _FARTHEST, _FARTHEST)))
             importance = sharpen(importance, grid.errors(_values(made.numbers, made.step)), shape)
-            normal = metric(grid, importance)
+            normal = metric(grid, importance, _around(made.numbers))
         for scale in _SCAN:
             attempt(normal, threshold, rounded(step * float(scale)))
     return best, tried
+
+
+def _around(numbers: Index) -> Index:
+    """Return the terms ``(terms,)`` that any of ``numbers`` ``(classes, count, first, rest)`` keeps, and the next of each run."""
+    first, rest = numbers.shape[2:]
+    kept = (numbers != 0).any(axis=(0, 1))
+    lengths = np.where(kept.any(axis=0), first - np.argmax(kept[::-1], axis=0), 0)
+    return np.flatnonzero((np.arange(first)[:, np.newaxis] <= lengths).reshape(first * rest))
 
 
 def _values(numbers: Index, step: float) -> Array:

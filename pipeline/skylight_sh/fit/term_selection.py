@@ -19,9 +19,9 @@ Index = NDArray[np.int64]
 
 _ROUNDS = 8
 # Of rounds where lengths are known, or where the last corner is at stake.
-_LONG_ROUNDS = 32
-# After the first rounds, an error this much above the budget does not come down to it.
-_HOPELESS = 1.1
+_LONG_ROUNDS = 24
+# After so many rounds, an error this much above the budget does not come down to it.
+_HOPELESS = ((3, 1.2), (8, 1.03))
 # Corners that are tried before one is taken away: those with the smallest coefficients; and how many of them are sharpened.
 _CORNERS, _SHARPENED = 8, 2
 # Of the energy of a class's coefficients where only their order matters.
@@ -30,15 +30,11 @@ _ENERGY_BITS = 20
 
 @dataclass(frozen=True)
 class Kept:
-    """``lengths`` ``(classes, rest)``, ``dense`` ``(classes, count, first, rest)`` and its largest E_mean.
-
-    ``seen`` is the largest E_mean on the fit's own grid, which is quicker to tell.
-    """
+    """``lengths`` ``(classes, rest)``, ``dense`` ``(classes, count, first, rest)`` and its largest E_mean."""
 
     lengths: Index
     dense: Array
     error: float
-    seen: float
 
 
 class _Search:
@@ -52,28 +48,31 @@ class _Search:
         self.worth = np.square(grid.factor).sum(axis=1).mean(axis=0)
         self.tried: list[Kept] = []
 
-    def fit(self, lengths: Index, *, check: bool = True) -> Kept:
-        """Fit the terms of ``lengths`` with the importance as it stands; the error is told of all sets if asked for."""
-        kept = (np.arange(self.first)[:, np.newaxis] < lengths[:, np.newaxis, :]).reshape(len(lengths), -1)
-        found = self.normal.best_of(kept)
-        seen = self.grid.largest(found)
-        error = self.checked.largest(found) if check else seen
-        made = Kept(lengths, found.reshape(*found.shape[:2], self.first, -1), error, seen)
-        if check:
-            self.tried.append(made)
+    def fit(self, lengths: Index, budget: float) -> Kept:
+        """Fit the terms of ``lengths`` with the importance as it stands.
+
+        Where the fit's own grid, which is quickly asked, exceeds the budget already, its error is told.
+        """
+        found = self.normal.best_of(_kept(lengths, self.first))
+        error = self.grid.largest(found)
+        if error <= budget:
+            error = max(error, self.checked.largest(found))
+        made = Kept(lengths, found.reshape(*found.shape[:2], self.first, -1), error)
+        self.tried.append(made)
         return made
 
     def sharpened(self, lengths: Index, budget: float, rounds: int = _ROUNDS) -> Kept:
         """Fit with the importance moved to the worst sets until the budget is met or no round helps; return the best."""
-        best = made = self.fit(lengths)
+        best = made = self.fit(lengths, budget)
         importance, normal = self.importance, self.normal
+        terms = np.flatnonzero(_kept(lengths, self.first).any(axis=0))
         for done in range(rounds):
-            if best.error <= budget or (done >= _ROUNDS and best.error > _HOPELESS * budget):
+            if best.error <= budget or any(done >= after and best.error > much * budget for after, much in _HOPELESS):
                 break
             errors = self.grid.errors(made.dense.reshape(*made.dense.shape[:2], -1))
             self.importance = sharpen(self.importance, errors, self.shape)
-            self.normal = metric(self.grid, self.importance)
-            made = self.fit(lengths)
+            self.normal = metric(self.grid, self.importance, terms)
+            made = self.fit(lengths, budget)
             best = min(best, made, key=lambda k: k.error)
         if best.error > budget:
             self.importance, self.normal = importance, normal
@@ -85,6 +84,11 @@ class _Search:
         return significant(found * self.worth.reshape(-1, *(1,) * (found.ndim - 1)), _ENERGY_BITS)
 
 
+def _kept(lengths: Index, first: int) -> NDArray[np.bool_]:
+    """Return which terms ``(classes, first * rest)`` lengths ``(classes, rest)`` keep."""
+    return (np.arange(first)[:, np.newaxis] < lengths[:, np.newaxis, :]).reshape(len(lengths), -1)
+
+
 def fewest(
     grid: Sampled, checked: Sampled, shape: Sequence[int], first: int, budget: float, known: Index | None = None
 ) -> tuple[Kept | None, list[Kept]]:
@@ -93,38 +97,41 @@ def fewest(
     ``grid``, of ``shape``, is what is fitted; ``first`` is the size of the first axis' basis. Terms are ranked by the
     coefficients that drop with them; a bisection finds how many are needed, corners that the budget does not need are then
     taken away one by one, and the worst sets' importance is sharpened where that saves another. Lengths ``known`` from a
-    search with a larger budget are taken where sharpening is enough. The first result is None where all terms together
+    search with a larger budget are the start where they are given: corners are added until they are enough. The first result is None where all terms together
     exceed the budget.
     """
     search = _Search(grid, checked, shape, first)
-    if known is not None:
-        made = search.sharpened(known, budget, _LONG_ROUNDS)
-        if made.error <= budget:
-            return made, search.tried
-        search = _Search(grid, checked, shape, first)
-    return _searched(search, budget), search.tried
+    if known is None:
+        return _searched(search, budget), search.tried
+    made = search.sharpened(known, budget, _LONG_ROUNDS)
+    while made.error > budget:
+        options = [search.fit(lengths, 0.0) for lengths in _with_a_corner(made.lengths, first)]
+        if not options:
+            return None, search.tried
+        made = search.sharpened(min(options, key=lambda k: k.error).lengths, budget)
+    return made, search.tried
 
 
 def _searched(search: _Search, budget: float) -> Kept | None:
     size = search.normal.size
     ranked = _ranking(search.energy(search.normal.best.reshape(*size[:2], search.first, -1)))
     low, high = 1, len(ranked)
-    if search.fit(ranked[-1]).error > budget:
+    if search.fit(ranked[-1], budget).error > budget:
         return None
     while low < high:
         middle = (low + high) // 2
-        if search.fit(ranked[middle - 1]).error <= budget:
+        if search.fit(ranked[middle - 1], budget).error <= budget:
             high = middle
         else:
             low = middle + 1
-    best, rounds = search.fit(ranked[low - 1]), _ROUNDS
+    best, rounds = search.fit(ranked[low - 1], budget), _ROUNDS
     while True:
-        options = [search.fit(lengths, check=False) for lengths in _without_a_corner(search, best)]
-        options.sort(key=lambda k: k.seen)
+        options = [search.fit(lengths, 0.0) for lengths in _without_a_corner(search, best)]
+        options.sort(key=lambda k: k.error)
         for smaller in options[:_SHARPENED]:
             made = search.sharpened(smaller.lengths, budget, rounds)
             if made.error <= budget:
-                best = made
+                best, rounds = made, _ROUNDS
                 break
         else:
             if rounds == _LONG_ROUNDS:
@@ -161,4 +168,13 @@ def _without_a_corner(search: _Search, kept: Kept) -> Iterator[Index]:
         for place in np.argsort(worth, kind="stable")[:_CORNERS]:
             out = lengths.copy()
             out[classes[place], rest[place]] -= 1
+            yield out
+
+
+def _with_a_corner(lengths: Index, first: int) -> Iterator[Index]:
+    """Yield the lengths with one more term, where the run before it is as long: staircases stay staircases."""
+    for k, r in zip(*np.nonzero(lengths < first), strict=True):
+        if r == 0 or lengths[k, r] < lengths[k, r - 1] or lengths.shape[1] == 1:
+            out = lengths.copy()
+            out[k, r] += 1
             yield out

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 
+from skylight_sh.formula.elementary import cos, exp, label
 from skylight_sh.light.mixins import Relative
-from skylight_sh.light.protocol import Array, Hints, Parameters, sun_angle
+from skylight_sh.light.protocol import Array, Hints, Parameters, Prefactor, sun_angle
 
 # Gradation a, b and indicatrix c, d, e of sky types 1 (overcast) to 15 (white-blue turbid with broad corona).
 _TYPES = (
@@ -46,8 +48,15 @@ class CieGeneral(Relative):
 
     @property
     def hints(self) -> Hints:
-        """Mirror-symmetric with a cusp at the sun."""
-        return Hints(mirrored=True, peak_axis="sun_zenith")
+        """Mirror-symmetric with a cusp at the sun; over the indicatrix towards the zenith even in the sun's zenith angle."""
+        c, d, e = _TYPES[self.sky - 1][2:]
+        numbers = (c, d, e, 1.0 - c * round(float(np.exp(d * np.pi / 2)), 6))
+        return Hints(
+            mirrored=True,
+            peak_axis="sun_zenith",
+            prefactor=Prefactor("cie_zenith", ("sun_zenith",), numbers, zenith_factor) if c or e else None,
+            parity=True,
+        )
 
     def radiance(self, directions: Array, parameters: Parameters) -> Array:
         """Return ``(..., 1)``: gradation times indicatrix, over their values towards the zenith (ISO 15469, eq. 1)."""
@@ -61,3 +70,9 @@ class CieGeneral(Relative):
 
         zenith = (1.0 + a * np.exp(b)) * indicatrix(theta, np.cos(theta))
         return np.asarray(gradation * indicatrix(gamma, cos_gamma) / zenith)[..., np.newaxis]
+
+
+def zenith_factor(theta: Any, k: Sequence[Any]) -> Any:
+    """Return 1 over the indicatrix towards the zenith, ``1 + c (exp(d theta) - exp(d pi / 2)) + e cos^2 theta``."""
+    cosine = label(cos(theta), "cosine")
+    return 1 / (k[3] + k[0] * exp(k[1] * theta) + k[2] * (cosine * cosine))

@@ -19,7 +19,6 @@ from skylight_sh.formula.elementary import label
 from skylight_sh.light import colour
 from skylight_sh.light.mixins import OwnCode
 from skylight_sh.light.protocol import OPTIONS, Array, Domain, Hints, Parameters, Prefactor, sun_angle
-from skylight_sh.reproducible import significant
 
 Floats = NDArray[np.floating]
 
@@ -140,7 +139,8 @@ class Preetham(OwnCode):
             slopes, offsets = perez[:2, column], perez[:2, column + 1]
             ends = [1.0 + (slopes[0] * tau + offsets[0]) * np.exp(slopes[1] * tau + offsets[1]) for tau in (2.5, 6.0)]
             slope = (ends[1] - ends[0]) / 3.5
-            found += [*significant([slope, ends[0] - 2.5 * slope], 20).tolist(), *perez[2:, column : column + 2].ravel().tolist()]
+            # Few digits, which a packed table keeps in two bytes.
+            found += [round(slope, 5), round(ends[0] - 2.5 * slope, 4), *perez[2:, column : column + 2].ravel().tolist()]
         # Of each chromaticity, by rising powers of theta, the polynomials in turbidity; none for the constant's square.
         found += [zenith[i][j][3 - k] for i in range(2) for k in range(4) for j in range(3) if (j, k) != (0, 0)]
         a, b, c = colour.matrix(self.colour_space).T
@@ -236,15 +236,22 @@ def class_factors(theta: Any, tau: Any, k: Sequence[Any]) -> list[Any]:
     hangs on turbidity alone may be coarser, since the fit divides by what a table multiplies by.
     """
     shape_y, zenith, below = _luminance_shape(theta, tau, k)
-    cosine2 = label(_cosine(theta) * _cosine(theta), "cosine2")
+    cosine = _cosine(theta)
+    cosine2 = label(cosine * cosine, "cosine2")
     shape_x, shape_z = (
-        label((k[i] * tau + k[i + 1]) * _indicatrix(theta, cosine2, [k[j] * tau + k[j + 1] for j in (i + 2, i + 4, i + 6)]), n)
+        label(
+            (k[i] * tau + k[i + 1]) * _indicatrix(theta, cosine2, [k[j] * tau + k[j + 1] for j in (i + 2, i + 4, i + 6)]), n
+        )
         for i, n in ((10, "shape_x"), (18, "shape_z"))
     )
     x, y = (label(_chromaticity(theta, tau, k[i : i + 11]), name) for i, name in ((26, "x_zenith"), (37, "y_zenith")))
     # X : Y : S are x F_y F_Y .. over one denominator.
     one = label(zenith / (below * shape_y * y * shape_x), "one")
-    of_x, of_y, of_s = label(one * x * shape_z, "of_x"), label(one * y * shape_x, "of_y"), label(one * shape_z * shape_x, "of_s")
+    of_x, of_y, of_s = (
+        label(one * x * shape_z, "of_x"),
+        label(one * y * shape_x, "of_y"),
+        label(one * shape_z * shape_x, "of_s"),
+    )
     rows = []
     for channel in range(3):
         from_x, from_y, from_s = (k[48 + 3 * channel + i] * factor for i, factor in enumerate((of_x, of_y, of_s)))
@@ -252,6 +259,8 @@ def class_factors(theta: Any, tau: Any, k: Sequence[Any]) -> list[Any]:
     return rows
 
 
+# exp on [-1, 0] through Chebyshev nodes, within 1.6e-8.
+_EXP = (0.999999984, 0.999998454, 0.499975091, 0.166515167, 0.0412233177, 0.0076543251, 0.000849007871)
 _OF_LUMINANCE = 10
 """How many of ``Preetham``'s numbers the factor of luminance reads."""
 
@@ -267,7 +276,8 @@ def _luminance_shape(theta: Any, tau: Any, k: Sequence[Any]) -> tuple[Any, Any, 
     a, b, *others = (k[2 * i] * tau + k[2 * i + 1] for i in range(5))
     up = label(1 + b * (0.25 + b * (1 / 32)), "up")
     up = label(up * up, "up2")
-    cosine2 = label(_cosine(theta) * _cosine(theta), "cosine2")
+    cosine = _cosine(theta)
+    cosine2 = label(cosine * cosine, "cosine2")
     shape = label((1 + a * (up * up)) * _indicatrix(theta, cosine2, others), "shape_y")
     chi = label((4 / 9 - tau * (1 / 120)) * (np.pi - 2 * theta), "chi")
     square = label(chi * chi, "square")
@@ -278,17 +288,20 @@ def _luminance_shape(theta: Any, tau: Any, k: Sequence[Any]) -> tuple[Any, Any, 
 
 
 def _cosine(theta: Any) -> Any:
-    """Return cos theta but for 1e-3, even in theta."""
+    """Return cos theta but for 1e-2, even in theta."""
     z = label(theta * theta, "z")
-    return label(1 - z * (0.5 - z * (1 / 24 - z * (1 / 720))), "cosine")
+    return label(1 - z * (0.5 - z * 0.04), "cosine")
 
 
 def _indicatrix(theta: Any, cosine2: Any, k: Sequence[Any]) -> Any:
-    """Return ``1 + c exp(d theta) + e cos^2`` by exp(y) = exp(y / 16)^16."""
+    """Return ``1 + c exp(d theta) + e cos^2`` by exp(y) = exp(y / 4)^4: few squares, which multiply roundings."""
     c, d, e = k
-    y = label(d * theta * (1 / 16), "y")
-    halo = label(1 + y * (1 + y * (0.5 + y * (1 / 6 + y * (1 / 24 + y * (1 / 120))))), "halo")
-    for power in (2, 4, 8, 16):
+    y = label(d * theta * 0.25, "y")
+    halo: Any = _EXP[-1]
+    for number in _EXP[-2::-1]:
+        halo = number + y * halo
+    halo = label(halo, "halo")
+    for power in (2, 4):
         halo = label(halo * halo, f"halo{power}")
     return 1 + c * halo + e * cosine2
 

@@ -12,6 +12,7 @@ from skylight_sh.formula.bases import BASES
 from skylight_sh.formula.expression import expression, expressions, trace
 from skylight_sh.light.protocol import Prefactor
 from skylight_sh.runtime import Axis, Scale
+from skylight_sh.table.short_numbers import bytes_of_numbers
 
 Array = NDArray[np.float64]
 Floats = NDArray[np.floating]
@@ -70,12 +71,16 @@ def evaluate(scale: Scale | None, values: Floats) -> Floats:
     return np.stack([np.broadcast_to(one, len(values)) for one in found], axis=1)
 
 
-def numbers(scale: Scale | None) -> int:
-    """Return how many numbers an evaluation of the factor reads, those that stand in a closed form itself included.
+def bytes_of_factor(scale: Scale | None, itemsize: int, *, packed: bool) -> int:
+    """Return the size of what an evaluation of the factor reads, the numbers that stand in a closed form included.
 
-    >>> numbers(None)
+    Packed tables keep constants of few digits in two bytes.
+
+    >>> bytes_of_factor(None, 4, packed=False)
     0
     """
     if scale is None:
         return 0
-    return len(scale.program.constants) + (scale.program.literals if scale.kind == CLOSED_FORM else 0)
+    written = scale.program.literals if scale.kind == CLOSED_FORM else 0
+    constants = scale.program.constants
+    return itemsize * written + (bytes_of_numbers(constants) if packed else itemsize * len(constants))

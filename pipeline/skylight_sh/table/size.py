@@ -22,9 +22,10 @@ def bytes_of(table: Table, bands: int | None = None) -> int:
     """
     spec, body, around = table.spec, table.body, table.surroundings
     bands = table.bands if around or bands is None else bands
-    numbers = sum(2 + len(axis.variable.constants) for axis in spec.axes) + prefactor.numbers(spec.scale)
+    numbers = sum(2 + len(axis.variable.constants) for axis in spec.axes)
     numbers += twilight.NUMBERS if spec.twilight else 0
     numbers += around.transfer.size + around.own.size + around.below.size if around else 0
+    factor = prefactor.bytes_of_factor(spec.scale, table.dtype.itemsize, packed=isinstance(body, Packed))
     if isinstance(body, Packed):
         degrees = np.sqrt(table.places[table.places < bands * bands]).astype(np.int64)
         part = body
@@ -32,10 +33,10 @@ def bytes_of(table: Table, bands: int | None = None) -> int:
             part = packed.pack(unpack(body, table.places[: degrees.size]), degrees, body.step)
         # Beside stream and profiles, one byte a profile's entry, the step.
         stored = len(part.stream) + part.rest_profile.size + part.channel_profile.size
-        return stored + table.dtype.itemsize * (numbers + 1)
+        return stored + factor + table.dtype.itemsize * (numbers + 1)
     columns = widths(spec, table.bands)
     read = len(body.rows) * columns[bands - 1] + numbers
-    return read * table.dtype.itemsize + body.lengths.nbytes + len(columns)
+    return read * table.dtype.itemsize + factor + body.lengths.nbytes + len(columns)
 
 
 def coefficients_of(table: Table) -> int:
