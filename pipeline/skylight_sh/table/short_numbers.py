@@ -1,0 +1,31 @@
+"""Numbers of few decimal digits as whole numbers of two bytes: how packed tables keep the published constants of a model."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+_LARGEST, _POWERS = 2**15 - 1, range(7)
+
+
+def short(value: float) -> tuple[int, int] | None:
+    """Return n and p of ``value`` = n / 10^p with n in two bytes, or nothing where there is none.
+
+    >>> short(-1.463), short(0.26688), short(3.7389856)
+    ((-1463, 3), (26688, 5), None)
+    """
+    for power in _POWERS:
+        whole = round(value * 10**power)
+        if abs(whole) <= _LARGEST and whole / 10**power == value:
+            return whole, power
+    return None
+
+
+def bytes_of_numbers(values: Sequence[float], itemsize: int = 4) -> int:
+    """Return how many bytes numbers take, short ones two each and one number a power of ten among them.
+
+    >>> bytes_of_numbers([0.1, 0.2, 3.7389856])
+    12
+    """
+    found = [short(value) for value in values]
+    powers = {one[1] for one in found if one}
+    return sum(2 if one else itemsize for one in found) + itemsize * len(powers)
