@@ -279,7 +279,7 @@ def _luminance_shape(theta: Any, tau: Any, k: Sequence[Any]) -> tuple[Any, Any, 
     cosine = _cosine(theta)
     cosine2 = label(cosine * cosine, "cosine2")
     shape = label((1 + a * (up * up)) * _indicatrix(theta, cosine2, others), "shape_y")
-    chi = label((4 / 9 - tau * (1 / 120)) * (np.pi - 2 * theta), "chi")
+    chi = label((8 / 9 - tau * (1 / 60)) * (np.pi / 2 - theta), "chi")
     square = label(chi * chi, "square")
     # tan chi by the continued fraction.
     above, below = chi * (945 - square * (105 - square)), label(945 - square * (420 - 15 * square), "below")

@@ -51,10 +51,10 @@ class Hints:
     ``peak_axis``: the parameter that is the zenith angle of the light's peak, in radians.
     ``peak_zenith``: that angle where it is no parameter.
     ``prefactor``: a closed form that carries most of the weights' change.
-    ``parity``: weights of order m are the prefactor times sin^m of the peak's zenith angle times a smooth even function of it
-    (checked by sampling before use).
-    ``classes``: the matrix that turns the weights of a few functions of that kind, classes, into those of the channels, where
-    no one prefactor does.
+    ``parity``: weights of order m are the prefactor times sin^m of the peak's zenith angle times a smooth even function of
+    it (checked by sampling before use).
+    ``classes``: the matrix that turns the weights of a few functions of that kind, classes, into those of the channels,
+    where no one prefactor does.
     ``luminance``: the prefactor of the light's luminance alone, where that is simpler.
     """
 

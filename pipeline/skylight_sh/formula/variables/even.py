@@ -1,4 +1,4 @@
-"""The reciprocal of the distance of the square to a point, scaled to [-1, 1]: for functions that are even in the parameter."""
+"""The reciprocal of the distance of the square to a point, scaled to [-1, 1]: for functions even in the parameter."""
 
 from __future__ import annotations
 
