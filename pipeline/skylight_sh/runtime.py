@@ -151,9 +151,9 @@ class Program:
     labels: tuple[tuple[int, str], ...] = ()
 
     @property
-    def literals(self) -> int:
-        """How many different numbers stand in the formula itself, beside its constants."""
-        return len({step[1] for step in self.steps if step[0] == "number"})
+    def literals(self) -> tuple[float, ...]:
+        """The different numbers that stand in the formula itself, beside its constants."""
+        return tuple(dict.fromkeys(float(step[1]) for step in self.steps if step[0] == "number"))
 
     def run(self, values: Sequence[ArrayLike]) -> list[Floats]:
         """Return the outputs at ``values``, one array an input that broadcast, in their dtype.
@@ -229,8 +229,8 @@ class Scale:
     """What sums are multiplied with: ``program`` of the axes' values, ``name`` and ``fixed`` parameters for people.
 
     ``kind`` is ``closed form``, a light's prefactor, or ``reciprocal``, 1 over a polynomial found in samples. A program with
-    one output is a factor of all weights; one with more is a matrix ``(channels, classes)``, row by row: a table keeps sums of
-    so many classes, and each channel's weight is made of those of all classes.
+    one output is a factor of all weights; one with more is a matrix ``(channels, classes)``, row by row: a table keeps sums
+    of so many classes, and each channel's weight is made of those of all classes.
     """
 
     kind: str
@@ -799,9 +799,10 @@ def _wrong_surroundings(table: Table, around: Surroundings) -> Iterator[str]:
 def _wrong_rows(table: Table, body: ClassRows | Rows) -> Iterator[str]:
     count, rest = table.places.size, math.prod(degree + 1 for degree in table.degrees[1:])
     width = body.rows.shape[1] if body.rows.ndim == 2 else 0
-    lengths, columns = ((table.spec.classes, rest), (count,))
+    lengths: tuple[int, ...] = (table.spec.classes, rest)
+    columns: tuple[int, ...] = (count,)
     if isinstance(body, Rows):
-        lengths, columns = ((rest,), (len(table.channels), count))
+        lengths, columns = (rest,), (len(table.channels), count)
     if body.rows.shape != (int(body.lengths.sum()), width) or body.lengths.shape != lengths:
         yield f"its rows have the shape {body.rows.shape}, its lengths {body.lengths.tolist()}"
     if body.lengths.size and int(body.lengths.max()) > table.degrees[0] + 1:

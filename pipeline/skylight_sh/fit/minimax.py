@@ -28,9 +28,9 @@ class Sampled:
     """``n`` parameter sets as a table sees them, everything in units of each set's L_min.
 
     ``basis`` ``(n, terms)`` holds all products of basis functions, ``factor`` ``(n, channels, classes)`` what each channel
-    takes of each class's sums, ``truth`` ``(n, channels, count)`` the weights. Sums of weight w are multiplied with ``sines``
-    ``(n,)`` to the power ``orders`` ``(count,)``; those are 0 without parity. The first sets are on a grid of ``shape``, if
-    on any.
+    takes of each class's sums, ``truth`` ``(n, channels, count)`` the weights. Sums of weight w are multiplied with
+    ``sines`` ``(n,)`` to the power ``orders`` ``(count,)``; those are 0 without parity. The first sets are on a grid of
+    ``shape``, if on any.
     """
 
     basis: Array
@@ -48,9 +48,9 @@ class Sampled:
     @cached_property
     def groups(self) -> list[tuple[int, ...]]:
         """Classes that share a channel: they are fitted together."""
-        classes = self.factor.shape[2]
+        channels, classes = self.factor.shape[1:]
         mixed = np.abs(self.factor).max(axis=0) > 0.0
-        if mixed.shape[0] == classes and not (mixed & ~np.eye(classes, dtype=bool)).any():
+        if channels == classes and not (mixed & ~np.eye(classes, dtype=bool)).any():
             return [(k,) for k in range(classes)]
         return [tuple(range(classes))]
 
@@ -114,13 +114,14 @@ class Metric:
     def best_of(self, kept: NDArray[np.bool_]) -> Array:
         """Return the best coefficients of the terms ``kept`` ``(classes, terms)`` that systems have, zeros elsewhere.
 
-        >>> sampled = Sampled(np.eye(2), np.ones((2, 1, 1)), np.array([[[3.0]], [[5.0]]]), np.ones(2), np.zeros(1, dtype=int))
+        >>> truth = np.array([[[3.0]], [[5.0]]])
+        >>> sampled = Sampled(np.eye(2), np.ones((2, 1, 1)), truth, np.ones(2), np.zeros(1, dtype=int))
         >>> metric(sampled, np.full((2, 1), 0.5)).best_of(np.array([[False, True]])).round(6).tolist()
         [[[0.0, 5.0]]]
         """
         out = np.zeros(self.size)
         for system in self.systems:
-            use = np.flatnonzero(kept[np.ix_(system.classes, system.terms)].ravel())
+            use = np.flatnonzero(kept[np.ix_(list(system.classes), system.terms)].ravel())
             solved = _solved(system.gram[np.ix_(use, use)], system.right[:, use].T).T
             flat = np.zeros(system.right.shape)
             flat[:, use] = solved
@@ -131,7 +132,7 @@ class Metric:
 def put(coefficients: Array | Index, system: System, flat: Array | Index) -> None:
     """Put what was found for a system, ``(outputs, u)``, where it belongs in ``(classes, count, terms)``."""
     parts = flat.reshape(len(flat), len(system.classes), -1).swapaxes(0, 1)
-    coefficients[np.ix_(system.classes, system.outputs, system.terms)] = parts
+    coefficients[np.ix_(list(system.classes), system.outputs, system.terms)] = parts
 
 
 def _solved(gram: Array, right: Array) -> Array:

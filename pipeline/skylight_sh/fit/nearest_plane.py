@@ -42,7 +42,9 @@ def round_kept(metric: Metric, lengths: Index, first: int, step: float) -> Index
     keep = (np.arange(first)[:, np.newaxis] < lengths[:, :, np.newaxis, :]).reshape(classes, count, -1)
     out = np.zeros((classes, count, first * rest), dtype=np.int64)
     for system in metric.systems:
-        own = keep[np.ix_(system.classes, system.outputs, system.terms)].swapaxes(0, 1).reshape(len(system.outputs), -1)
+        own = (
+            keep[np.ix_(list(system.classes), system.outputs, system.terms)].swapaxes(0, 1).reshape(len(system.outputs), -1)
+        )
         put(out, system, _rounded(system, own, step))
     return out.reshape(classes, count, first, rest)
 
@@ -73,7 +75,7 @@ def _rounded(system: System, keep: NDArray[np.bool_], step: float) -> Index:
 
 
 def _nearest_plane(unit: Array, target: Array) -> Index:
-    """Round ``target`` ``(outputs, size)`` from its end, by triangles ``unit`` ``(outputs, size, size)`` with a diagonal of 1."""
+    """Round ``target`` ``(outputs, size)`` from its end, by triangles ``(outputs, size, size)`` with a diagonal of 1."""
     rounded = np.zeros(target.shape)
     for i in range(target.shape[1] - 1, -1, -1):
         value = target[:, i] - np.einsum("wj,wj->w", unit[:, i, i + 1 :], rounded[:, i + 1 :])

@@ -94,7 +94,7 @@ def smallest(
 
 
 def _around(numbers: Index) -> Index:
-    """Return the terms ``(terms,)`` that any of ``numbers`` ``(classes, count, first, rest)`` keeps, and the next of each run."""
+    """Return the terms ``(terms,)`` that any of ``numbers`` ``(classes, count, first, rest)`` keeps, one more a run."""
     first, rest = numbers.shape[2:]
     kept = (numbers != 0).any(axis=(0, 1))
     lengths = np.where(kept.any(axis=0), first - np.argmax(kept[::-1], axis=0), 0)

@@ -97,8 +97,8 @@ def fewest(
     ``grid``, of ``shape``, is what is fitted; ``first`` is the size of the first axis' basis. Terms are ranked by the
     coefficients that drop with them; a bisection finds how many are needed, corners that the budget does not need are then
     taken away one by one, and the worst sets' importance is sharpened where that saves another. Lengths ``known`` from a
-    search with a larger budget are the start where they are given: corners are added until they are enough. The first result is None where all terms together
-    exceed the budget.
+    search with a larger budget are the start where they are given: corners are added until they are enough. The first
+    result is None where all terms together exceed the budget.
     """
     search = _Search(grid, checked, shape, first)
     if known is None:
@@ -145,7 +145,7 @@ def _ranking(energy: Array) -> list[Index]:
     >>> _ranking(np.array([[[4.0, 1.0], [2.0, 0.5]]]))[1].tolist()
     [[2, 0]]
     """
-    classes, first, rest = energy.shape
+    classes, _, rest = energy.shape
     tails = np.maximum.accumulate(energy[:, ::-1], axis=1)[:, ::-1]
     tails = np.concatenate([tails, np.full((classes, 1, rest), -1.0)], axis=1)
     lengths = np.zeros((classes, rest), dtype=np.int64)

@@ -80,7 +80,7 @@ def system(
     right = np.linalg.solve(factor, flat) if factor.shape[1] == factor.shape[2] else np.linalg.pinv(factor) @ flat
     vander = BASES[basis].vander
     matrices = [np.asarray(vander(a.scaled(n), d), dtype=np.float64) for a, n, d in zip(axes, nodes, degrees, strict=True)]
-    return right.reshape(*shape, -1), matrices
+    return np.asarray(right, dtype=np.float64).reshape(*shape, -1), matrices
 
 
 def fit(

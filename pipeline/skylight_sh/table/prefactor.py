@@ -74,13 +74,13 @@ def evaluate(scale: Scale | None, values: Floats) -> Floats:
 def bytes_of_factor(scale: Scale | None, itemsize: int, *, packed: bool) -> int:
     """Return the size of what an evaluation of the factor reads, the numbers that stand in a closed form included.
 
-    Packed tables keep constants of few digits in two bytes.
+    Packed tables keep numbers of few digits in two bytes.
 
     >>> bytes_of_factor(None, 4, packed=False)
     0
     """
     if scale is None:
         return 0
-    written = scale.program.literals if scale.kind == CLOSED_FORM else 0
-    constants = scale.program.constants
-    return itemsize * written + (bytes_of_numbers(constants) if packed else itemsize * len(constants))
+    program = scale.program
+    numbers = [*program.constants, *(program.literals if scale.kind == CLOSED_FORM else ())]
+    return bytes_of_numbers(numbers, itemsize) if packed else itemsize * len(numbers)

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-_LARGEST, _POWERS = 2**15 - 1, range(7)
+_LARGEST, _POWERS = 2**16 - 1, range(7)
 
 
 def short(value: float) -> tuple[int, int] | None:
-    """Return n and p of ``value`` = n / 10^p with n in two bytes, or nothing where there is none.
+    """Return n and p of ``value`` = n / 10^p with the size of n in two bytes, or nothing.
 
     >>> short(-1.463), short(0.26688), short(3.7389856)
     ((-1463, 3), (26688, 5), None)
