@@ -48,7 +48,7 @@ class Sampled:
     @cached_property
     def groups(self) -> list[tuple[int, ...]]:
         """Classes that share a channel: they are fitted together."""
-        channels, classes = self.factor.shape[1:]
+        _, channels, classes = self.factor.shape
         mixed = np.abs(self.factor).max(axis=0) > 0.0
         if channels == classes and not (mixed & ~np.eye(classes, dtype=bool)).any():
             return [(k,) for k in range(classes)]
@@ -121,7 +121,7 @@ class Metric:
         """
         out = np.zeros(self.size)
         for system in self.systems:
-            use = np.flatnonzero(kept[np.ix_(list(system.classes), system.terms)].ravel())
+            use = np.flatnonzero(kept[np.ix_(np.array(system.classes), system.terms)].ravel())
             solved = _solved(system.gram[np.ix_(use, use)], system.right[:, use].T).T
             flat = np.zeros(system.right.shape)
             flat[:, use] = solved
@@ -132,7 +132,7 @@ class Metric:
 def put(coefficients: Array | Index, system: System, flat: Array | Index) -> None:
     """Put what was found for a system, ``(outputs, u)``, where it belongs in ``(classes, count, terms)``."""
     parts = flat.reshape(len(flat), len(system.classes), -1).swapaxes(0, 1)
-    coefficients[np.ix_(list(system.classes), system.outputs, system.terms)] = parts
+    coefficients[np.ix_(np.array(system.classes), system.outputs, system.terms)] = parts
 
 
 def _solved(gram: Array, right: Array) -> Array:

@@ -43,7 +43,9 @@ def round_kept(metric: Metric, lengths: Index, first: int, step: float) -> Index
     out = np.zeros((classes, count, first * rest), dtype=np.int64)
     for system in metric.systems:
         own = (
-            keep[np.ix_(list(system.classes), system.outputs, system.terms)].swapaxes(0, 1).reshape(len(system.outputs), -1)
+            keep[np.ix_(np.array(system.classes), system.outputs, system.terms)]
+            .swapaxes(0, 1)
+            .reshape(len(system.outputs), -1)
         )
         put(out, system, _rounded(system, own, step))
     return out.reshape(classes, count, first, rest)

@@ -288,9 +288,9 @@ def _luminance_shape(theta: Any, tau: Any, k: Sequence[Any]) -> tuple[Any, Any, 
 
 
 def _cosine(theta: Any) -> Any:
-    """Return cos theta but for 1e-2, even in theta."""
+    """Return cos theta but for 0.05, even in theta."""
     z = label(theta * theta, "z")
-    return label(1 - z * (0.5 - z * 0.04), "cosine")
+    return label(1 - z * (0.5 - z * (1 / 32)), "cosine")
 
 
 def _indicatrix(theta: Any, cosine2: Any, k: Sequence[Any]) -> Any:
