@@ -48,7 +48,7 @@ class Sampled:
     @cached_property
     def groups(self) -> list[tuple[int, ...]]:
         """Classes that share a channel: they are fitted together."""
-        _, channels, classes = self.factor.shape
+        channels, classes = self.truth.shape[1], self.size[0]
         mixed = np.abs(self.factor).max(axis=0) > 0.0
         if channels == classes and not (mixed & ~np.eye(classes, dtype=bool)).any():
             return [(k,) for k in range(classes)]
@@ -57,7 +57,7 @@ class Sampled:
     @property
     def size(self) -> tuple[int, int, int]:
         """How many classes, weights and terms coefficients have."""
-        return self.factor.shape[2], self.truth.shape[2], self.basis.shape[1]
+        return len(self.factor[0, 0]), len(self.truth[0, 0]), len(self.basis[0])
 
     def errors(self, coefficients: Array) -> Array:
         """Return E_mean of every set and channel, ``(n, channels)``, of coefficients ``(classes, count, terms)``."""

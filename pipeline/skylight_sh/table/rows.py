@@ -18,7 +18,7 @@ Lengths = NDArray[np.integer]
 
 
 def arrange(dense: Floats, lengths: Lengths, columns: NDArray[np.int16], dtype: str) -> ClassRows:
-    """Make rows of ``dense`` ``(classes, count, first, rest)`` for ``lengths`` ``(classes, rest)``, ``columns`` ``(count,)``."""
+    """Make rows of ``dense`` ``(classes, count, first, rest)``, with ``lengths`` ``(classes, rest)`` terms."""
     used = columns >= 0
     rows = [
         own.reshape(len(own), -1)[used][:, kept_terms(length)].T.astype(dtype)
