@@ -70,7 +70,8 @@ def parity_of(config: Config) -> str:
     """
     hints, scene = config.source.hints, config.scene
     even = [axis.name for axis in config.axes if axis.map == "even"]
-    albedos = set(scene.ground) if isinstance(scene.ground, tuple | list) else set()
+    ground = scene_of(config).ground
+    albedos = set() if isinstance(ground, str) else set(ground)
     mixes = scene.sun_disc or (hints.classes is not None and len(albedos) > 1)
     used = hints.parity and hints.peak_axis in even and config.fit.prefactor is True and not mixes
     return str(hints.peak_axis) if used else ""

@@ -14,7 +14,7 @@ from skylight_sh.run.plan import Inputs
 from skylight_sh.run.steps import GRID
 from skylight_sh.scene.fold import fold
 from skylight_sh.store.dataset import Dataset, Variable
-from skylight_sh.table import grid_fit, npz
+from skylight_sh.table import grid_fit, npz, parity
 from skylight_sh.table.table import specification, whole
 
 
@@ -29,9 +29,12 @@ def make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
     degrees = [axis.degrees[1] for axis in config.axes]
     # Of a grid's systems, one a axis is the whole one's solution.
     solver = grid_fit.TENSOR if config.fit.solver == "svd" else config.fit.solver
+    scale, peak = scale_of(config, inputs), parity_of(config)
+    if peak:
+        middle = [0.5 * (axis.low + axis.high) for axis in axes]
+        parity.check(config.source, [axis.name for axis in axes], middle, peak, scale)
     made = grid_fit.fit(
-        *(samples, axes, nodes, degrees, config.fit.basis, solver, scale_of(config, inputs)),
-        *(parity_of(config), harmonics.orders),
+        *(samples, axes, nodes, degrees, config.fit.basis, solver, scale, peak, harmonics.orders),
     )
     powers = tuple(f"power_{axis.name}" for axis in axes)
     found = {
