@@ -34,6 +34,9 @@ def test_sets() -> None:
     drawn = np.random.Generator(np.random.PCG64(9)).random((4, 2))
     got = parameter_points.random([(1.0, 3.0), (-1.0, 0.0)], 4, 9)
     assert got == pytest.approx(np.stack([1 + 2 * drawn[:, 0], drawn[:, 1] - 1], axis=-1), rel=1e-14)
+    shared = parameter_points.random([(1.0, 3.0), (-1.0, 0.0)], 4, 9, shared=0, each=3)
+    assert shared[:, 0] == pytest.approx([got[0, 0], got[0, 0], got[0, 0], got[3, 0]], rel=1e-14)
+    assert shared[:, 1].tolist() == got[:, 1].tolist()
 
 
 @pytest.mark.parametrize(("theta", "tau"), [(0.3, 2.5), (1.0, 3.0), (1.5, 6.0)])
