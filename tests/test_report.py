@@ -11,6 +11,7 @@ import numpy as np
 import pandas as pd
 import pytest
 from conftest import SMALL, run_quietly
+from PIL import Image
 from skylight_sh.config import load
 from skylight_sh.report.style import percent
 from skylight_sh.run.runner import Result
@@ -50,6 +51,9 @@ def test_page_escapes_what_the_config_says(tmp_path: Path) -> None:
         assert width >= 800
         assert height >= 350
         assert b"matplotlib" not in (result.folder / "figures" / f"{name}.png").read_bytes().lower()
+        # A label that the picture's edge cuts off would leave ink on it.
+        pixels = np.asarray(Image.open(result.folder / "figures" / f"{name}.png"))
+        assert all(edge.min() == 255 for edge in (pixels[0], pixels[-1], pixels[:, 0], pixels[:, -1])), name
 
 
 def test_errors_csv_is_the_contract(small_run: Result) -> None:

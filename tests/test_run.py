@@ -82,6 +82,17 @@ def test_a_change_remakes_only_what_depends_on_it(tmp_path: Path, edit: tuple[st
     assert {stage for stage in before if before[stage] != after[stage]} == remade
 
 
+def test_an_automatic_truth_hangs_on_budgets_tighter_than_all_loose_ones(tmp_path: Path) -> None:
+    def keys_with(budgets: str) -> dict[str, set[str]]:
+        text = SMALL.read_text(encoding="utf-8").replace("tolerance = 1e-8", 'tolerance = "auto"')
+        (tmp_path / "auto.toml").write_text(text.replace("budgets = [0.05, 0.01]", budgets), encoding="utf-8")
+        return keys_by_stage(load(tmp_path / "auto.toml"))
+
+    first, looser, tighter = map(keys_with, ("budgets = [0.05, 0.01]", "budgets = [1, 0.01]", "budgets = [1e-6, 0.01]"))
+    assert first["truth"] == looser["truth"]
+    assert first["truth"].isdisjoint(tighter["truth"])
+
+
 def test_the_order_of_the_axes_is_part_of_every_truth_key(tmp_path: Path) -> None:
     text = SMALL.read_text(encoding="utf-8")
     first, second, end = (text.index(mark) for mark in ("[[axes]]", '[[axes]]\nname = "turbidity"', "[truth]"))

@@ -3,17 +3,22 @@
 from __future__ import annotations
 
 import itertools
+import tomllib
 
 import numpy as np
 import pytest
+from conftest import ROOT, SMALL
 from numpy.typing import NDArray
 from scipy import integrate, optimize
 from skylight_sh import sphere
+from skylight_sh.config import Config, load, parse
 from skylight_sh.light import Light
 from skylight_sh.light.cie_general import CieGeneral
 from skylight_sh.light.preetham import Preetham
 from skylight_sh.quadrature import convergence, least_luminance, samples, sampling
 from skylight_sh.quadrature import parameter_points as parameter_sets
+from skylight_sh.run.stages.truth import make_rule
+from skylight_sh.store.dataset import Dataset
 
 Array = NDArray[np.float64]
 
@@ -65,6 +70,55 @@ def test_weights_match_adaptive_integration_in_zenith_coordinates(values: tuple[
     scale = np.abs(expected).max(axis=1, keepdims=True)
     assert estimate <= 1e-10
     assert np.max(np.abs(got - expected) / scale) < 1e-10
+
+
+def small_with(tolerance: float | str, name: str, **winner: object) -> Config:
+    """The tests' small config, with the winners given, one named ``name`` among them, and a truth's tolerance."""
+    raw = tomllib.loads(SMALL.read_text(encoding="utf-8"))
+    raw["truth"]["tolerance"] = tolerance
+    raw["winners"] = [{"bands": 4, **winner}]
+    raw["export"]["recommended"] = name
+    return parse(raw, "a config")
+
+
+def rule_of(config: Config) -> Dataset:
+    return make_rule(config, {}, lambda *_: None)
+
+
+def test_a_truth_errs_by_a_fiftieth_of_the_tightest_budget_and_no_less() -> None:
+    config = load(ROOT / "configs" / "preetham.toml")
+    rule, light = rule_of(config), Preetham()
+    nodes, budget = int(rule.attrs["nodes"]), min(b for w in config.winners for b in w.budgets)
+    assert budget == 5e-5
+    sets = np.concatenate([parameter_sets.random(list(RANGES.values()), 40, seed=77), EDGES])
+
+    def e_mean(coarse: int) -> float:
+        found = []
+        for values in sets:
+            block = values.reshape(1, 1, -1)
+            one, other = (sampling.sample_block(sampling.Job(light, tuple(RANGES), block, n, HELD)) for n in (coarse, 104))
+            found.append(np.sqrt(np.square(one.weights - other.weights).sum(axis=-1)).max() / other.least.item())
+        return float(max(found))
+
+    assert e_mean(nodes) < budget / 50
+    # The ladder's next step down would not do.
+    assert e_mean(nodes - 8) > budget / 50
+
+
+def test_an_automatic_tolerance_hangs_on_the_budgets() -> None:
+    rules = [
+        rule_of(small_with("auto", "4-bands-5pct", budgets=[0.05])),
+        rule_of(small_with("auto", "4-bands-1pct", budgets=[0.01, 1e-6])),
+        rule_of(small_with("auto", "4-bands-degrees-6-4", degrees=[6, 4])),
+        rule_of(small_with(1e-8, "4-bands-5pct", budgets=[0.05])),
+    ]
+    tolerances = [float(rule.attrs["tolerance"]) for rule in rules]
+    # A loose budget counts as 5e-5.
+    assert tolerances[0] / tolerances[1] == pytest.approx(50, rel=1e-2)
+    assert tolerances[2:] == [1e-10, 1e-8]
+    nodes = [int(rule.attrs["nodes"]) for rule in rules]
+    assert nodes[0] < nodes[1] < nodes[2]
+    assert all(float(rule.attrs["estimate"]) <= float(rule.attrs["tolerance"]) for rule in rules)
 
 
 def test_all_orders_agree_with_the_mirrored_half() -> None:

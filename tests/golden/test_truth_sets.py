@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 from scipy import optimize
+from scipy.stats import qmc
 from skylight_sh import sphere
 from skylight_sh.light.cie_traditional import CieTraditional
 from skylight_sh.light.preetham import Preetham
@@ -18,6 +19,7 @@ from skylight_sh.quadrature import (
     ring_sums,
     rings,
     sampling,
+    sobol,
     sun_centred,
     zenith_gauss,
 )
@@ -34,6 +36,24 @@ def test_sets() -> None:
     drawn = np.random.Generator(np.random.PCG64(9)).random((4, 2))
     got = parameter_points.random([(1.0, 3.0), (-1.0, 0.0)], 4, 9)
     assert got == pytest.approx(np.stack([1 + 2 * drawn[:, 0], drawn[:, 1] - 1], axis=-1), rel=1e-14)
+    shared = parameter_points.random([(1.0, 3.0), (-1.0, 0.0)], 4, 9, shared=0, each=3)
+    assert shared[:, 0] == pytest.approx([got[0, 0], got[0, 0], got[0, 0], got[3, 0]], rel=1e-14)
+    assert shared[:, 1].tolist() == got[:, 1].tolist()
+
+
+@pytest.mark.parametrize("dimensions", range(1, sobol.MOST + 1))
+@pytest.mark.parametrize(("count", "seed"), [(1, 3), (2, 0), (5, 1959), (2000, 7)])
+def test_sobol_sequences_are_scipys(dimensions: int, count: int, seed: int) -> None:
+    expected = qmc.Sobol(dimensions, bits=30, rng=np.random.default_rng(seed)).random_base2((count - 1).bit_length())
+    assert np.array_equal(sobol.scrambled(dimensions, count, seed), expected[:count])
+
+
+def test_sets_of_many_axes_come_from_scipy() -> None:
+    axes = sobol.MOST + 1
+    made = parameter_points.held_out([(0.0, 1.0)] * axes, 16, 1, 5)
+    assert np.array_equal(made[:16], qmc.Sobol(axes, bits=30, rng=np.random.default_rng(5)).random_base2(4))
+    with pytest.raises(ValueError, match="Should be 1 to 8"):
+        sobol.scrambled(axes, 4, 5)
 
 
 @pytest.mark.parametrize(("theta", "tau"), [(0.3, 2.5), (1.0, 3.0), (1.5, 6.0)])

@@ -30,6 +30,7 @@ Name = Annotated[str, Field(pattern=r"^[a-z0-9][a-z0-9_-]{0,39}$")]
 Degree = Annotated[int, Field(ge=0, le=40)]
 Fraction = Annotated[float, Field(gt=0.0, le=1.0)]
 Bands = Annotated[int, Field(ge=1, le=32)]
+Tolerance = Annotated[float, Field(ge=1e-14, le=1e-2)]
 DType = Literal["float32", "float64"]
 BasisName = Annotated[str, OneOf(BASES, "basis")]
 PictureName = Annotated[str, OneOf(PICTURES, "picture")]
@@ -56,7 +57,11 @@ class TruthSection(Section):
     """How the ground truth is sampled."""
 
     bands: Bands = Field(description="SH bands of the truth, 1 to 32")
-    tolerance: float = Field(1e-10, ge=1e-14, le=1e-2, description="relative to the largest weight, 1e-14 to 1e-2")
+    tolerance: Tolerance | Literal["auto"] = Field(
+        "auto",
+        description="relative to the largest weight, 1e-14 to 1e-2; auto: an E_mean of a fiftieth of the tightest budget, "
+        "or of 5e-5 where all are looser; 1e-10 where no table has a budget",
+    )
     orders: Literal["auto", "all"] = Field(
         "auto", description="auto: m >= 0 alone where the light is symmetric; all: every m"
     )
@@ -72,6 +77,11 @@ class TruthSection(Section):
     )
     held_out_edge: int = Field(128, ge=1, le=10_000, description="more of them on each edge of the ranges, 1 to 10000")
     held_out_seed: int = Field(1959, ge=0, description="seed of the held-out sets, 0 or more")
+
+    @property
+    def stated_tolerance(self) -> float:
+        """The tolerance, or 1e-10 where it is left to the budgets."""
+        return 1e-10 if self.tolerance == "auto" else self.tolerance
 
 
 class ReferenceSection(Section):

@@ -8,6 +8,8 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from skylight_sh.quadrature import sobol
+
 Array = NDArray[np.float64]
 Index = NDArray[np.int64]
 
@@ -21,14 +23,23 @@ def grid(nodes: Sequence[Array]) -> Array:
     return np.stack(np.meshgrid(*nodes, indexing="ij"), axis=-1).reshape(-1, len(nodes))
 
 
-def random(ranges: Sequence[tuple[float, float]], count: int, seed: int) -> Array:
+def random(
+    ranges: Sequence[tuple[float, float]], count: int, seed: int, *, shared: int | None = None, each: int = 1
+) -> Array:
     """Return ``count`` uniform random sets inside ``ranges``, shape ``(count, axes)``; the seed decides them.
+
+    Of every ``each`` sets in turn all have the first one's value on the axis ``shared``, if there is one.
 
     >>> random([(0.0, 1.0), (2.0, 3.0)], 5, seed=1).shape
     (5, 2)
+    >>> len(set(random([(0.0, 1.0), (2.0, 3.0)], 5, seed=1, shared=0, each=2)[:, 0].tolist()))
+    3
     """
     low, high = np.array(ranges, dtype=np.float64).T
-    return np.asarray(low + (high - low) * np.random.default_rng(seed).random((count, len(ranges))))
+    unit = np.random.default_rng(seed).random((count, len(ranges)))
+    if shared is not None:
+        unit[:, shared] = np.repeat(unit[::each, shared], each)[:count]
+    return np.asarray(low + (high - low) * unit)
 
 
 def held_out(ranges: Sequence[tuple[float, float]], count: int, edge: int, seed: int) -> Array:
@@ -56,7 +67,9 @@ def held_out(ranges: Sequence[tuple[float, float]], count: int, edge: int, seed:
 
 
 def _sobol(axes: int, count: int, seed: int) -> Array:
-    from scipy.stats import qmc  # only a run that measures needs it, and it takes a third of a second
+    if axes <= sobol.MOST:
+        return sobol.scrambled(axes, count, seed)
+    from scipy.stats import qmc  # it takes a third of a second
 
     sequence = qmc.Sobol(axes, scramble=True, bits=30, rng=np.random.default_rng(seed))
     return np.asarray(sequence.random_base2(max(0, count - 1).bit_length())[:count])

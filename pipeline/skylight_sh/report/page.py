@@ -63,7 +63,7 @@ def _facts(data: ReportData) -> dict[str, str]:
         "Light": data.light.title,
         "Axes": "; ".join(f"{a.name} [{a.low:.6g}, {a.high:.6g}] {a.unit}, map {a.map}" for a in data.axes),
         "Truth": f"{data.rule['rule']} quadrature, {data.rule['nodes']} nodes, estimated error "
-        f"{data.rule['estimate']:.1e} of each set's largest weight",
+        f"{data.rule['estimate']:.1e} of each set's largest weight ({data.rule['tolerance']:.1e} allowed)",
         "Seen by selection": f"{sets} grid sets that share no interior node with the fit grid, and {random} random sets",
         "Errors": f"measured on {data.held_out} held-out sets that nothing else reads: {truth['held_out']} scrambled "
         f"Sobol sets, {truth['held_out_edge']} on each edge of the ranges, and the corners",

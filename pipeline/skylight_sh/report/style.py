@@ -3,10 +3,16 @@
 from __future__ import annotations
 
 import io
+from typing import Any
 
 import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.axis import Axis
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
-from matplotlib.ticker import FuncFormatter
+from matplotlib.ticker import FuncFormatter, NullLocator
+from numpy.typing import NDArray
+from PIL import Image
 
 # Okabe and Ito's palette.
 BLUE, ORANGE, GREEN, PURPLE, SKY, YELLOW, RED, BLACK = (
@@ -27,8 +33,51 @@ DPI = 110
 
 
 def figure(width: float, height: float) -> Figure:
-    """Return an empty figure of that size in inches, laid out so that labels do not collide."""
+    """Return an empty figure of that size in inches, laid out so that labels do not collide.
+
+    To search for such a layout takes as long as to draw the figure; ``panels`` are placed by what is known of them.
+    """
     return Figure(figsize=(width, height), dpi=DPI, layout="constrained")
+
+
+def panels(
+    width: float,
+    height: float,
+    rows: int = 1,
+    columns: int = 1,
+    *,
+    left: float = 0.8,
+    right: float = 0.15,
+    bottom: float = 0.55,
+    top: float = 0.35,
+    gap: tuple[float, float] = (0.8, 0.6),
+    **options: Any,
+) -> tuple[Figure, NDArray[np.object_]]:
+    """Return a figure of that size with its axes ``(rows, columns)``, ``gap`` apart across and down.
+
+    All lengths are in inches, and have to leave room for the labels; ``options`` are those of ``Figure.subplots``.
+
+    >>> figure, axes = panels(4.0, 2.0, columns=2, left=0.5, right=0.5, bottom=0.5, top=0.5, gap=(1.0, 0.0))
+    >>> [float(axis.get_position().x0) for axis in axes[0]]
+    [0.125, 0.625]
+    """
+    made = Figure(figsize=(width, height), dpi=DPI)
+    across = (width - left - right - (columns - 1) * gap[0]) / columns
+    down = (height - bottom - top - (rows - 1) * gap[1]) / rows
+    edges = {"left": left / width, "right": 1.0 - right / width, "bottom": bottom / height, "top": 1.0 - top / height}
+    room = {**edges, "wspace": gap[0] / across, "hspace": gap[1] / down}
+    return made, made.subplots(rows, columns, squeeze=False, gridspec_kw=room, **options)
+
+
+def bar(drawn: Figure, left: float, bottom: float, width: float, height: float) -> Axes:
+    """Return axes for a colour bar at that place, in inches from the lower left corner."""
+    across, up = drawn.get_size_inches()
+    return drawn.add_axes((left / across, bottom / up, width / across, height / up))
+
+
+def decades(axis: Axis) -> None:
+    """Mark the decades of a logarithmic axis alone: each mark between them takes as long as a label."""
+    axis.set_minor_locator(NullLocator())
 
 
 def legible(width: float) -> float:
@@ -42,8 +91,13 @@ def legible(width: float) -> float:
 
 def png(drawn: Figure) -> bytes:
     """Return a figure's bytes; equal figures give equal bytes."""
+    # Not by savefig, which goes through all of a figure twice.
+    canvas: Any = FigureCanvasAgg(drawn)
+    canvas.draw()
     out = io.BytesIO()
-    drawn.savefig(out, format="png", metadata={"Software": None})
+    opaque = np.ascontiguousarray(np.asarray(canvas.buffer_rgba())[..., :3])
+    # A few per cent larger than at the usual level, in two thirds of its time.
+    Image.fromarray(opaque).save(out, "png", dpi=(DPI, DPI), compress_level=4)
     return out.getvalue()
 
 

@@ -34,6 +34,8 @@ ORIGINS = "fit/origins"
 TRANSFER, GATHER = "transfer", "transfer/gather"
 ENGINES = "engines"
 LIGHTING = "measure/lighting"
+# The tightest budget of the default config.
+_TIGHT = 5e-5
 # The steps of pictures of scenes: what they read, and what makes them.
 _PICTURES = {
     "pictures/courtyard": (("select",), "courtyard:make"),
@@ -97,6 +99,16 @@ def middle_budget(config: Config) -> float:
     """Return the error that the search for variables aims at: the middle one of all budgets asked for."""
     budgets = sorted(budget for winner in config.winners for budget in winner.budgets)
     return budgets[len(budgets) // 2] if budgets else 1e-3
+
+
+def allowed_error(config: Config) -> float | None:
+    """Return the E_mean that the truth itself may have, a fiftieth of the tightest budget; None where there is no budget.
+
+    Loose budgets share the truth of ``_TIGHT``: to change one of them samples nothing anew, and errors of other tables and
+    fits are published to a hundredth of it.
+    """
+    budgets = [budget for winner in config.winners for budget in winner.budgets]
+    return min(_TIGHT, *budgets) / 50 if budgets else None
 
 
 def surroundings_bands(config: Config) -> list[int]:
@@ -185,6 +197,7 @@ def _truth(config: Config) -> Iterator[Step]:
         "ranges": [(axis.name, axis.range) for axis in config.axes],
         "bands": truth.bands,
         "tolerance": truth.tolerance,
+        "error": allowed_error(config) if truth.tolerance == "auto" else None,
         "orders": truth.orders,
         "rule": truth.rule,
         "hints": truth.hints,
@@ -261,7 +274,7 @@ def _lighting(config: Config) -> Iterator[Step]:
             "light": _light(config),
             "ranges": [(axis.name, axis.range) for axis in config.axes],
             "scene": _around(config),
-            "tolerance": config.truth.tolerance,
+            "tolerance": config.truth.stated_tolerance,
         }
         yield _step(LIGHTING, ("select",), parameters, "lighting:make", config)
 

@@ -87,7 +87,7 @@ def _radiance(config: Config, sets: Array) -> tuple[Array, Array]:
     for block in parameter_points.chunks(sets, sampling.peak_of(config.source, names), 64):
         rule = suited(config.source, harmonics.bands)
         nodes = max(_NODES, harmonics.bands + 12)
-        job = sampling.Job(config.source, names, sets[block], nodes, harmonics, rule, config.truth.tolerance)
+        job = sampling.Job(config.source, names, sets[block], nodes, harmonics, rule, config.truth.stated_tolerance)
         sampled = sampling.sample_block(job)
         weights[block], least[block] = sampled.weights, sampled.least
     return weights, least

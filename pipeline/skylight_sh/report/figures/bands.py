@@ -23,8 +23,9 @@ _QUOTED = ((7, 0.015), (5, 0.00005))
 
 def draw(data: ReportData) -> Figure:
     """Draw E_mean beside E_max, one line a table."""
-    figure = style.figure(11.5, 5.4)
-    left, right = figure.subplots(1, 2, sharey=True)
+    rows = -(-(len(data.winners) + len(data.references) + 1) // 4)
+    figure, found = style.panels(11.5, 5.4, columns=2, left=1.05, bottom=0.65 + 0.16 * rows, gap=(0.15, 0.0), sharey=True)
+    left, right = found[0]
     entries = [*data.winners, *data.references]
     shown = [e for e in entries if e in data.references or e.table.bands == data.best.table.bands]
     best = data.best.table.bands
@@ -45,13 +46,14 @@ def draw(data: ReportData) -> Figure:
         axes.set_title(f"largest {title}, L_min {data.conventions[0]}")
         axes.set_xlabel("bands N")
         axes.yaxis.set_major_formatter(style.percent_ticks())
+        style.decades(axes.yaxis)
         axes.grid(True, which="major", alpha=0.3)
     if ("preetham" in str(data.settings["light"]["model"]) and data.references) or data.name == "paper":
         left.plot(
             *zip(*_QUOTED, strict=True), "x", color="black", markersize=10, markeredgewidth=2, label="quoted by the paper"
         )
     left.set_ylabel("error relative to L_min")
-    figure.legend(*left.get_legend_handles_labels(), loc="outside lower center", ncols=4, fontsize=8)
+    figure.legend(*left.get_legend_handles_labels(), loc="lower center", ncols=4, fontsize=8)
     return figure
 
 

@@ -22,8 +22,8 @@ _QUOTED = (131_712, 0.015)
 
 def draw(data: ReportData) -> Figure:
     """Draw one colour a number of bands."""
-    figure = style.figure(10.5, 5)
-    axes = figure.subplots()
+    figure, found = style.panels(10.5, 5, left=1.05, right=2.1, top=0.15)
+    axes = found[0, 0]
     for i, bands in enumerate(sorted({entry.table.bands for entry in data.winners}, reverse=True)):
         outputs = data.harmonics.first(bands).count * len(data.light.channels)
         size = 4 * outputs * np.prod(data.sweep.degrees + 1, axis=1)
@@ -68,8 +68,9 @@ def draw(data: ReportData) -> Figure:
     axes.set_xlabel("bytes")
     axes.set_ylabel(f"largest E_mean, L_min {data.conventions[0]}")
     axes.yaxis.set_major_formatter(style.percent_ticks())
+    style.decades(axes.yaxis)
     axes.grid(True, which="major", alpha=0.3)
-    figure.legend(*axes.get_legend_handles_labels(), loc="outside right upper", fontsize=8)
+    figure.legend(*axes.get_legend_handles_labels(), loc="upper right", fontsize=8)
     return figure
 
 

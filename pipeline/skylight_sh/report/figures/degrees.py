@@ -24,8 +24,8 @@ def draw(data: ReportData) -> Figure | None:
     if error.size < 2:
         return None
     if len(data.axes) == 1:
-        figure = style.figure(8, 4)
-        axes = figure.subplots()
+        figure, found = style.panels(8, 4, top=0.15)
+        axes = found[0, 0]
         axes.semilogy(sweep.degrees[:, 0], error, marker="o", color=style.BLUE)
         axes.set_xlabel(f"degree in {data.axes[0].name}")
         axes.set_ylabel("largest E_mean")
@@ -37,8 +37,8 @@ def draw(data: ReportData) -> Figure | None:
     table = np.empty((second.size, first.size))
     rows = np.searchsorted(second, sweep.degrees[full, 1])
     table[rows, np.searchsorted(first, sweep.degrees[full, 0])] = 100 * error[full]
-    figure = style.figure(11, 5.2)
-    axes = figure.subplots()
+    figure, found = style.panels(11, 5.2, right=1.1)
+    axes = found[0, 0]
     image = axes.imshow(table, origin="lower", aspect="auto", cmap=style.ERROR_MAP, norm=LogNorm())
     middle = np.sqrt(table.min() * table.max())
     for (i, j), value in np.ndenumerate(table):
@@ -49,7 +49,7 @@ def draw(data: ReportData) -> Figure | None:
     axes.set_ylabel(f"degree in {data.axes[1].name}")
     held = zip(data.axes[2:], sweep.degrees[:, 2:].max(axis=0), strict=True)
     axes.set_title(", ".join(f"degree {degree} in {axis.name}" for axis, degree in held), fontsize=10)
-    figure.colorbar(image, label="largest E_mean, % of L_min")
+    figure.colorbar(image, cax=style.bar(figure, 10.05, 0.55, 0.2, 4.3), label="largest E_mean, % of L_min")
     return figure
 
 

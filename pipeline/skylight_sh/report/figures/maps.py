@@ -27,10 +27,14 @@ def draw(data: ReportData) -> Figure:
         return _lines(data, entries)
     columns = min(4, len(entries))
     rows = -(-len(entries) // columns)
-    figure = style.figure(4 * columns, 3.3 * rows)
+    width, height = 4.0 * columns, 3.3 * rows
+    top = 0.4 if data.axes[2:] else 0.25
+    figure, found = style.panels(
+        width, height, rows, columns, left=0.85, right=1.05, top=top, gap=(0.2, top + 0.05), sharex=True, sharey=True
+    )
     grids = [np.maximum(_grid(data, entry), 1e-12) for entry in entries]
     low, high = 100 * min(float(g.min()) for g in grids), 100 * max(float(g.max()) for g in grids)
-    panels: list[Axes] = list(np.atleast_1d(figure.subplots(rows, columns, sharex=True, sharey=True)).ravel())
+    panels: list[Axes] = list(found.ravel())
     first, second = data.axes[:2]
     for panel, entry, grid in zip(panels, entries, grids, strict=False):
         x, y = _shown(first, data.grid[0]), _shown(second, data.grid[1])
@@ -47,12 +51,17 @@ def draw(data: ReportData) -> Figure:
         )
         where = f"\nworst at {data.describe(entry.worst, first=2)}" if data.axes[2:] else ""
         panel.set_title(f"{entry.name}: {style.percent(entry.headline[0])}{where}", fontsize=9)
-    for panel in panels[len(entries) :]:
-        panel.set_axis_off()
-    figure.supxlabel(_label(first))
-    figure.supylabel(_label(second))
+    for place, panel in enumerate(panels):
+        panel.yaxis.set_visible(place % columns == 0)
+        panel.xaxis.set_visible(place + columns >= len(entries))
+        panel.xaxis.set_tick_params(labelbottom=True)
+        if place >= len(entries):
+            panel.set_axis_off()
+    figure.supxlabel(_label(first), y=0.1 / height)
+    figure.supylabel(_label(second), x=0.15 / width)
     others = " and ".join(axis.name.replace("_", " ") for axis in data.axes[2:])
-    figure.colorbar(image, ax=panels, label="E_mean, % of L_min" + (f", worst over {others}" if others else ""))
+    bar = style.bar(figure, width - 0.9, 0.55, 0.2, height - 0.55 - top)
+    figure.colorbar(image, cax=bar, label="E_mean, % of L_min" + (f", worst over {others}" if others else ""))
     return figure
 
 
@@ -63,8 +72,8 @@ def _grid(data: ReportData, entry: Entry) -> np.ndarray:
 
 
 def _lines(data: ReportData, entries: list[Entry]) -> Figure:
-    figure = style.figure(9, 4.5)
-    axes = figure.subplots()
+    figure, found = style.panels(9, 4.5, top=0.15)
+    axes = found[0, 0]
     for i, entry in enumerate(entries):
         values = entry.per_set[: data.grid[0].size]
         axes.semilogy(_shown(data.axes[0], data.grid[0]), values, color=style.SERIES[i % 7], label=entry.name)

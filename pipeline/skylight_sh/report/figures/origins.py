@@ -26,8 +26,8 @@ def draw(data: ReportData) -> Figure | None:
     found = data.origins
     if found is None:
         return None
-    figure = style.figure(13.5, 4.6)
-    left, middle, right = figure.subplots(1, 3)
+    figure, found_axes = style.panels(13.5, 4.6, columns=3, left=1.15, gap=(1.0, 0.0))
+    left, middle, right = found_axes[0]
     x = np.arange(len(found["solver"]))
     for i, name in enumerate(("float64", "float32")):
         left.bar(x + 0.38 * (i - 0.5), found["solver_e_mean"][:, i], 0.36, color=style.SERIES[i], label=name)
@@ -54,6 +54,7 @@ def draw(data: ReportData) -> Figure | None:
         panel.set_xticks([], minor=True)
     for panel in (left, middle, right):
         panel.yaxis.set_major_formatter(style.percent_ticks())
+        style.decades(panel.yaxis)
         panel.grid(True, which="major", alpha=0.3)
         panel.legend(fontsize=8)
     return figure

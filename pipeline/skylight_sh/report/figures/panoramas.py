@@ -27,14 +27,16 @@ def draw(data: ReportData) -> Figure:
         columns += [(title, values, entry) for entry in (*data.references[:2], data.best)]
     columns.append(("Worst set of this table", data.best.worst, data.best))
     width = 3.7 * len(columns)
-    figure = style.figure(width, 8.6)
-    # So many panels take half a second to be laid out by constraint.
-    figure.set_layout_engine("none")
-    room = {"left": 0.75 / width, "right": 1.0 - 0.15 / width, "top": 0.925, "wspace": 0.06, "hspace": 0.08}
-    panels = figure.subplots(4, len(columns), squeeze=False, sharex=True, sharey=True, gridspec_kw={**room, "bottom": 0.15})
-    bars = figure.subplots(1, len(columns), squeeze=False, gridspec_kw={**room, "top": 0.085, "bottom": 0.068})[0]
+    shared = {"sharex": True, "sharey": True}
+    figure, panels = style.panels(width, 8.6, 4, len(columns), bottom=1.3, top=0.65, gap=(0.2, 0.13), **shared)
     for column, (title, values, entry) in enumerate(columns):
-        _column(data, list(panels[:, column]), title, values, entry, bars[column])
+        left, _, across, _ = panels[-1, column].get_position().bounds
+        bar = style.bar(figure, left * width, 0.58, across * width, 0.15)
+        _column(data, list(panels[:, column]), title, values, entry, bar)
+    for panel in panels[:-1].ravel():
+        panel.xaxis.set_visible(False)
+    for panel in panels[:, 1:].ravel():
+        panel.yaxis.set_visible(False)
     for row, label in zip(panels[:, 0], _rows(data), strict=True):
         row.set_ylabel(f"{label}\naltitude (degrees)", fontsize=8)
     for panel in panels[-1]:
@@ -57,7 +59,9 @@ def _column(data: ReportData, panels: list[Axes], title: str, values: np.ndarray
     if table.spec.windowed:
         truth = truth * sphere.zonal_sinc(table.bands)[: bands * bands]
     rebuilt = table.whole(table.evaluate(values[np.newaxis])[0], bands)
-    sky, true, made = panorama.sky(light, values, names), panorama.expansion(truth), panorama.expansion(rebuilt)
+    sky = panorama.sky(light, values, names)
+    # Both at once, since the basis takes longer than the sums.
+    true, made = np.split(panorama.expansion(np.concatenate([truth, rebuilt])), 2, axis=-1)
     white = panorama.white(sky[: len(sky) // 2] @ light.luminance_row)
     # An even sky's irradiance is pi times its radiance.
     scale = np.pi if table.spec.quantity == "irradiance" else 1.0

@@ -31,15 +31,15 @@ def draw(data: ReportData) -> Figure | None:
     after = panorama.expansion(weights * sphere.zonal_sinc(table.bands)) @ row
     # Three times the undershoot: the sky saturates, the ringing shows.
     reach = 3.0 * max(-float(before.min()), 1e-6 * float(before.max()))
-    figure = style.figure(12, 3.9)
-    left, middle, right = figure.subplots(1, 3, width_ratios=(1, 1, 1.1))
+    figure, found = style.panels(12, 3.9, columns=3, bottom=1.2, top=0.6, width_ratios=(1, 1, 1.1))
+    left, middle, right = found[0]
     for panel, picture, title in ((left, before, "original"), (middle, after, "windowed")):
         image = panel.imshow(picture, extent=panorama.EXTENT, aspect="auto", cmap="PuOr_r", vmin=-reach, vmax=reach)
         low = 100 * picture[len(picture) // 2 :].min() / sky.max()
         panel.set_title(f"{title}: lowest {low:.1f} % of the sky's own brightest", fontsize=9)
         panel.set_xlabel("azimuth from the sun (degrees)")
     left.set_ylabel("altitude (degrees)")
-    figure.colorbar(image, ax=[left, middle], label="luminance (cd/m²)", orientation="horizontal", shrink=0.6)
+    figure.colorbar(image, cax=style.bar(figure, 1.8, 0.45, 4.6, 0.12), label="luminance (cd/m²)", orientation="horizontal")
     altitude = 90.0 - (np.arange(len(sky)) + 0.5) * 180.0 / len(sky)
     centre = sky.shape[1] // 2
     for picture, colour, dash, label in (

@@ -115,7 +115,9 @@ def sample(config: Config, advance: Advance) -> Reference:
     harmonics = Harmonics(_BANDS, light.hints.mirrored)
     blocks = parameter_points.chunks(sets, sampling.peak_of(light, names), _SETS_PER_TASK)
     rule = suited(light, _BANDS)
-    jobs = [sampling.Job(light, names, sets[block], _NODES, harmonics, rule, config.truth.tolerance) for block in blocks]
+    jobs = [
+        sampling.Job(light, names, sets[block], _NODES, harmonics, rule, config.truth.stated_tolerance) for block in blocks
+    ]
     results = map_tasks(
         sampling.sample_block, jobs, executor=config.run.executor, workers=config.run.workers, advance=advance
     )

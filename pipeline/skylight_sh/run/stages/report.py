@@ -50,7 +50,7 @@ def _report_data(config: Config, inputs: Inputs) -> ReportData:
     names, harmonics = tuple(axis.name for axis in config.axes), harmonics_of(config, rule)
 
     def sample(values: Array) -> Array:
-        nodes, rule_, tolerance = int(rule.attrs["nodes"]), str(rule.attrs["rule"]), config.truth.tolerance
+        nodes, rule_, tolerance = int(rule.attrs["nodes"]), str(rule.attrs["rule"]), float(rule.attrs["tolerance"])
         job = sampling.Job(config.source, names, values.reshape(1, 1, -1), nodes, harmonics, rule_, tolerance)
         weights = np.asarray(sampling.project_block(job).weights[0, 0])
         return fold(scene_of(config), weights, grid["degree"], values)

@@ -9,13 +9,14 @@ from numpy.typing import NDArray
 
 from skylight_sh.config.schema import Config
 from skylight_sh.fit.axis import Axis
+from skylight_sh.fit.errors import l_min, mean_luminance
 from skylight_sh.quadrature import convergence, parameter_points, sampling, validation
 from skylight_sh.quadrature.registry import suited
 from skylight_sh.quadrature.samples import Samples
 from skylight_sh.run.config_axes import axes_of, fit_nodes, given_axes, harmonics_of, verification_nodes
 from skylight_sh.run.executors import Advance, map_tasks
 from skylight_sh.run.plan import Inputs
-from skylight_sh.run.steps import RULE
+from skylight_sh.run.steps import RULE, allowed_error
 from skylight_sh.sphere import Harmonics
 from skylight_sh.store.dataset import Dataset, Variable
 
@@ -23,6 +24,7 @@ Array = NDArray[np.float64]
 NodesOf = Callable[[Config, tuple[Axis, ...]], list[Array]]
 
 _SETS_PER_TASK = 64
+_SETS_A_PEAK = 10
 
 
 def make_rule(config: Config, _: Inputs, __: Advance) -> Dataset:
@@ -34,8 +36,16 @@ def make_rule(config: Config, _: Inputs, __: Advance) -> Dataset:
     symmetric = convergence.is_mirrored(light, ranges, samples=512 if light.hints.mirrored else 20_000)
     harmonics = Harmonics(truth.bands, symmetric and truth.orders == "auto")
     rule = suited(light, truth.bands) if truth.rule == "auto" else truth.rule
-    nodes, estimate = convergence.choose_nodes(light, ranges, rule=rule, harmonics=harmonics, tolerance=truth.tolerance)
-    return Dataset({}, {"rule": rule, "nodes": nodes, "estimate": estimate, "mirrored": harmonics.mirrored})
+    tolerance = truth.stated_tolerance
+    error = allowed_error(config) if truth.tolerance == "auto" else None
+    if error is not None:
+        probes = convergence.probe(light, ranges, rule=rule, harmonics=harmonics)
+        mean = mean_luminance(probes.weights[:, :, 0], light.luminance_row)
+        denominator = next(iter(l_min(probes.least, mean).values()))
+        tolerance = convergence.tolerance_for(error, probes.weights, denominator, rule=rule)
+    nodes, estimate = convergence.choose_nodes(light, ranges, rule=rule, harmonics=harmonics, tolerance=tolerance)
+    found = {"rule": rule, "nodes": nodes, "estimate": estimate, "tolerance": tolerance, "mirrored": harmonics.mirrored}
+    return Dataset({}, found)
 
 
 def make_grid(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
@@ -68,8 +78,10 @@ def _make_grid(config: Config, nodes_of: NodesOf, name: str, inputs: Inputs, adv
 
 
 def make_random(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
-    """Sample the random sets that selection sees."""
-    sets = parameter_points.random([axis.range for axis in config.axes], config.truth.random, config.truth.seed)
+    """Sample the random sets that selection sees; ten of them share the peak's place, and so the rule's nodes."""
+    ranges, names = [axis.range for axis in config.axes], [axis.name for axis in config.axes]
+    shared = sampling.peak_of(config.source, names)
+    sets = parameter_points.random(ranges, config.truth.random, config.truth.seed, shared=shared, each=_SETS_A_PEAK)
     return _make_list(config, sets, "random", inputs, advance)
 
 
@@ -97,7 +109,7 @@ def _sample(config: Config, sets: Array, inputs: Inputs, advance: Advance) -> tu
     nodes, name, harmonics = int(rule.attrs["nodes"]), str(rule.attrs["rule"]), harmonics_of(config, rule)
     names = tuple(axis.name for axis in config.axes)
     blocks = parameter_points.chunks(sets, sampling.peak_of(light, names), _SETS_PER_TASK)
-    tolerance = config.truth.tolerance
+    tolerance = float(rule.attrs["tolerance"])
     jobs = [sampling.Job(light, names, sets[block], nodes, harmonics, name, tolerance) for block in blocks]
     results = map_tasks(
         sampling.sample_block, jobs, executor=config.run.executor, workers=config.run.workers, advance=advance

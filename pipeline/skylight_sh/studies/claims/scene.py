@@ -91,7 +91,7 @@ def _expansion(config: Config, parameters: dict[str, float], azimuth: float, ban
     names = tuple(axis.name for axis in config.axes)
     values = np.array([[[parameters[name] for name in names]]])
     held = sphere.Harmonics.even(bands)
-    job = sampling.Job(config.source, names, values, _NODES, held, "sun-centred", config.truth.tolerance)
+    job = sampling.Job(config.source, names, values, _NODES, held, "sun-centred", config.truth.stated_tolerance)
     weights = held.unmirror(sampling.project_block(job).weights[0, 0])
     return np.asarray(sphere.rotate_azimuth(weights, np.array(azimuth)), dtype=np.float64)
 
