@@ -92,11 +92,16 @@ def facts(table: Table, unit: str, e_mean: float, e_max: float) -> Iterator[str]
     yield f"#define {P}_E_MEAN {e_mean:.6e}"
     yield f"#define {P}_E_MAX {e_max:.6e}"
     if isinstance(table.body, Packed):
-        width = int(columns_of(table).max()) + 1
-        yield f"#define {P}_UNPACKED {int(lengths_of(table).sum()) * width + -width % _WIDEST}"
+        yield unpacked(table)
     for axis, (low, high) in zip(table.axes, table.ranges, strict=True):
         yield f"#define {P}_{axis.name.upper()}_MIN {number(low)}"
         yield f"#define {P}_{axis.name.upper()}_MAX {number(high)}"
+
+
+def unpacked(table: Table) -> str:
+    """Return the macro of how many numbers a packed table has once it is unpacked."""
+    width = int(columns_of(table).max()) + 1
+    return f"#define {P}_UNPACKED {int(lengths_of(table).sum()) * width + -width % _WIDEST}"
 
 
 def data(table: Table, luminance: Sequence[float]) -> Iterator[str]:

@@ -93,6 +93,7 @@ def example(table: Table, twin: Table) -> str:
         *(f"#define {_P}_{name} 1" for name in sorted(c_data.features(table))),
         *c_data.facts(table, "cd/m2", 0.0, 0.0),
         *c_data.data(table, ()),
+        c_data.unpacked(twin),
         *c_data.packed(twin),
         "",
         *c_formulas.functions(table),
