@@ -114,7 +114,7 @@ def test_a_day_by_default_is_hourly_and_unexposed_and_skips_the_night() -> None:
 
 def test_formulas_become_shader_text() -> None:
     axes = (Axis("haze", 1e-6, 1.0, map="log", point=-0.5), Axis("hour", 0.0, 3.0, map="identity"))
-    table = fast(specification(axes, ("one",), True, "chebyshev"), np.ones((1, 1, 3, 2)), np.array([3, 2]), 1, "float32")
+    table = fast(specification(axes, ("one",), True, "chebyshev"), np.ones((1, 1, 3, 2)), np.array([[3, 2]]), 1, "float32")
     head = {"glsl": "float u{}", "hlsl": "const float u{}", "wgsl": "let u{}: f32"}
     for language, declared in head.items():
         text = shaders.write(table, c_header.Facts("t", 0.0, 0.0, "per-set", []), language)
@@ -131,7 +131,7 @@ def test_formulas_become_shader_text() -> None:
 def test_a_shaders_slack_is_a_millionth_of_the_range_or_of_one() -> None:
     for high, limits in ((0.25, "haze < -1e-06 || haze > 0.250001"), (4.0, "haze < -4e-06 || haze > 4.000004")):
         frame = specification((Axis("haze", 0.0, high),), ("one",), True, "chebyshev", None)
-        table = fast(frame, np.ones((1, 1, 2)), np.array(2), 1, "float32")
+        table = fast(frame, np.ones((1, 1, 2)), np.array([2]), 1, "float32")
         text = shaders.write(table, c_header.Facts("t", 0.0, 0.0, "per-set", []), "glsl")
         found = re.findall(r"if \(haze < (\S+) \|\| haze > (\S+)\)", text)
         expected = re.findall(r"haze < (\S+) \|\| haze > (\S+)", limits)

@@ -43,12 +43,12 @@ def one_weight(table: Table, values: Array, folder: Path) -> Array:
 
 def test_maps_in_c_are_those_of_python(tmp_path: Path) -> None:
     """Each map over a range that does not start at 0, against its formula in double."""
-    points = {"identity": 0.0, "log": 0.7, "reciprocal": 5.5, "cbrt": 4.25, "raw": 0.0}
+    points = {"identity": 0.0, "log": 0.7, "even": 20.25, "reciprocal": 5.5, "cbrt": 4.25, "raw": 0.0}
     assert set(points) == set(VARIABLES)
     for name, point in points.items():
         axis = Axis("haze", 1.25, 4.0, map=name, point=point)
         table = fast(
-            specification((axis,), ("one",), True, "monomial", None), np.array([[[0.5, 2.0]]]), np.array(2), 1, "float64"
+            specification((axis,), ("one",), True, "monomial", None), np.array([[[0.5, 2.0]]]), np.array([2]), 1, "float64"
         )
         values = np.array([1.25, 1.5, 2.0, 3.0, 4.0])
         got = one_weight(table, values, tmp_path)
@@ -57,6 +57,7 @@ def test_maps_in_c_are_those_of_python(tmp_path: Path) -> None:
             "log": np.log((values - 0.7) / 0.55) / np.log(3.3 / 0.55) * 2 - 1,
             "reciprocal": (1 / (5.5 - values) - 1 / 4.25) / (1 / 1.5 - 1 / 4.25) * 2 - 1,
             "cbrt": (np.cbrt(3.0) - np.cbrt(4.25 - values)) / (np.cbrt(3.0) - np.cbrt(0.25)) * 2 - 1,
+            "even": (1 / (20.25 - values**2) - 1 / 18.6875) / (1 / 4.25 - 1 / 18.6875) * 2 - 1,
             "raw": values,
         }[name]
         assert got == pytest.approx(0.5 + 2.0 * scaled, abs=1e-6), name
@@ -74,7 +75,7 @@ def test_bases_in_c_are_those_of_numpy(tmp_path: Path) -> None:
     numbers = 3.0 ** -np.arange(9)
     for name, values in expected.items():
         frame = specification((Axis("haze", -1.0, 1.0),), ("one",), True, name, None)
-        table = fast(frame, numbers[np.newaxis, np.newaxis], np.array(9), 1, "float64")
+        table = fast(frame, numbers[np.newaxis, np.newaxis], np.array([9]), 1, "float64")
         got = one_weight(table, u, tmp_path)
         assert got == pytest.approx(values @ numbers, abs=1e-6), name
 
@@ -105,7 +106,7 @@ def added(folder: Path, weights: NDArray[np.floating], body: str) -> list[Array]
 
 def header_of_three_bands(folder: Path) -> Table:
     frame = specification((Axis("sun_zenith", 0.0, 1.0),), ("r", "g", "b"), True, "chebyshev", None)
-    table = fast(frame, np.ones((3, 6, 2)), np.array(2), 3, "float32")
+    table = fast(frame, np.ones((3, 6, 2)), np.full(3, 2), 3, "float32")
     (folder / "skylight_sh.h").write_text(c_header.write(table, FACTS), encoding="utf-8")
     return table
 
@@ -163,7 +164,7 @@ def test_the_zonal_window_is_a_sinc_of_its_bands(tmp_path: Path, bands: int) -> 
 def test_twilight_fades_as_its_formula_says(tmp_path: Path, dtype: str) -> None:
     sinking = {"peak_axis": "sun_zenith", "twilight": twilight.TWILIGHT}
     axes = (Axis("sun_zenith", 0.0, float(np.pi / 2)),)
-    table = fast(specification(axes, ("one",), True, "chebyshev", **sinking), np.array([[[3.0]]]), np.array(1), 1, dtype)
+    table = fast(specification(axes, ("one",), True, "chebyshev", **sinking), np.array([[[3.0]]]), np.array([1]), 1, dtype)
     (tmp_path / "skylight_sh.h").write_text(c_header.write(table, FACTS), encoding="utf-8")
     depth = np.array([-1.0, -1e-3, 0.0, 1e-3, 0.03, 0.1, 0.15, 0.2, twilight.DEPTH])
     angles = (np.pi / 2 + depth).astype(np.float32)

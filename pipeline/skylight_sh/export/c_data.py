@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from math import isqrt
 
 import numpy as np
+from numpy.typing import NDArray
 
 from skylight_sh import __version__
 from skylight_sh.export.evaluators import commented, filled
@@ -13,16 +15,18 @@ from skylight_sh.formula.harmonics import HORIZONTAL
 from skylight_sh.formula.printers import C_DOUBLE, C_SINGLE, Language
 from skylight_sh.formula.printers import double as exact
 from skylight_sh.formula.printers import single as rounded
-from skylight_sh.runtime import Packed, Program, Rows, Table
+from skylight_sh.runtime import ClassRows, Packed, Program, Table, unpack
 from skylight_sh.sphere import lower_hemisphere
 from skylight_sh.table import twilight
-from skylight_sh.table.row_layout import layout
+from skylight_sh.table.packed import lengths_of as lengths_of_runs
 from skylight_sh.table.surroundings import PARTS
 from skylight_sh.table.table import float32_limits
 
 P = "SKYLIGHT_SH"
 _p = "skylight_sh"
 _FOUR = 4
+# Numbers of the widest vectors that the evaluator reads rows in.
+_WIDEST = 16
 # An even ground's radiance for an albedo of 1 is this times the weight l = 1, m = 0 of the sky.
 _REFLECTED = HORIZONTAL / np.pi
 
@@ -42,6 +46,11 @@ def language(table: Table) -> Language:
     return C_DOUBLE if is_double(table) else C_SINGLE
 
 
+def is_mixed(table: Table) -> bool:
+    """Say whether a channel's weights are made of the sums of several classes."""
+    return table.spec.scale is not None and len(table.spec.scale.program.outputs) > 1
+
+
 def room(degree: int) -> int:
     """Return how many functions of the first axis have a place: loops over them run in fours."""
     return -(-(degree + 1) // _FOUR) * _FOUR
@@ -53,8 +62,12 @@ def features(table: Table) -> set[str]:
     lit = around is not None
     grounded = spec.ground == "black" and not spec.windowed and spec.quantity == "radiance" and not lit and table.bands > 1
     found = {
-        "HAS_ROWS": isinstance(table.body, Rows),
+        "HAS_ROWS": isinstance(table.body, ClassRows),
+        "HAS_PARITY": spec.parity,
+        "HAS_GAPS": bool((columns_of(table) < 0).any()),
         "IS_MIRRORED": spec.mirrored,
+        "IS_MIXED": is_mixed(table),
+        "IS_SINGLE": not is_double(table),
         "IS_WINDOWED": spec.windowed,
         "HAS_TWILIGHT": spec.twilight is not None,
         "HAS_SURROUNDINGS": lit,
@@ -78,9 +91,17 @@ def facts(table: Table, unit: str, e_mean: float, e_max: float) -> Iterator[str]
     yield f'#define {P}_UNIT "{unit}"'
     yield f"#define {P}_E_MEAN {e_mean:.6e}"
     yield f"#define {P}_E_MAX {e_max:.6e}"
+    if isinstance(table.body, Packed):
+        yield unpacked(table)
     for axis, (low, high) in zip(table.axes, table.ranges, strict=True):
         yield f"#define {P}_{axis.name.upper()}_MIN {number(low)}"
         yield f"#define {P}_{axis.name.upper()}_MAX {number(high)}"
+
+
+def unpacked(table: Table) -> str:
+    """Return the macro of how many numbers a packed table has once it is unpacked."""
+    width = int(columns_of(table).max()) + 1
+    return f"#define {P}_UNPACKED {int(lengths_of(table).sum()) * width + -width % _WIDEST}"
 
 
 def data(table: Table, luminance: Sequence[float]) -> Iterator[str]:
@@ -91,13 +112,15 @@ def data(table: Table, luminance: Sequence[float]) -> Iterator[str]:
     yield ""
     yield from commented("Functions of the first axis, in fours; products of the other axes' functions.")
     yield f"#define {P}_FIRST {room(table.degrees[0])}"
-    yield f"#define {P}_OTHERS {int(np.prod(sizes[1:], dtype=int))}"
+    yield f"#define {P}_OTHERS {others(table)}"
     yield f"#define {P}_SIZES {_braced(sizes)}"
     yield f"#define {P}_MOST {max(*sizes, room(table.degrees[0]))}"
     yield f"#define {P}_AZIMUTH {single(spec.azimuth or 0.0)}"
-    if spec.twilight:
-        yield from commented("The sun's axis, the horizon in two parts, how far below it the light has faded.")
+    if spec.twilight or spec.parity:
+        yield from commented("The axis of the sun's zenith angle.")
         yield f"#define {P}_SUN {[axis.name for axis in table.axes].index(str(spec.peak_axis))}"
+    if spec.twilight:
+        yield from commented("The horizon in two parts, and how far below it the light has faded.")
         yield f"#define {P}_HORIZON {number(twilight.BEGIN)}"
         yield f"#define {P}_HORIZON_REST {number(0.0 if is_double(table) else twilight.REST)}"
         yield f"#define {P}_DEPTH {exact(spec.twilight.depth)}"
@@ -109,7 +132,8 @@ def data(table: Table, luminance: Sequence[float]) -> Iterator[str]:
         yield f"#define {P}_REFLECTED {single(_REFLECTED)}"
         yield f"#define {P}_LOWER {_braced(map(single, lower_hemisphere(table.bands).tolist()))}"
     yield from _ranges(table)
-    yield from _rows(table, table.body) if isinstance(table.body, Rows) else packed(table)
+    yield from _sums(table)
+    yield from _rows(table.body) if isinstance(table.body, ClassRows) else packed(table)
     for name in PARTS if table.surroundings else ():
         values = getattr(table.surroundings, name).ravel().tolist()
         if values:
@@ -145,48 +169,96 @@ def _ranges(table: Table) -> Iterator[str]:
     yield f"static const {_p}_real {_p}_range[{P}_AXES][2] = {_braced(_braced(map(number, pair)) for pair in ends)};"
 
 
-def _rows(table: Table, body: Rows) -> Iterator[str]:
-    terms, width = body.rows.shape
-    groups = -(-terms // _FOUR)
-    starts = np.concatenate([[0], np.cumsum(body.lengths, dtype=int)])
-    number = language(table).number
+def lengths_of(table: Table) -> NDArray[np.int64]:
+    """Return how many functions of the first axis each class has for each product of the others', ``(classes, others)``.
+
+    Of a packed table, whose weights each have their own, the longest: those of its rows once it is unpacked.
+    """
+    body = table.body
+    if not isinstance(body, Packed):
+        return np.asarray(body.lengths, dtype=np.int64)
+    found = lengths_of_runs(unpack(body, table.places)).max(axis=0)
+    return np.pad(found, ((0, 0), (0, others(table) - found.shape[1])))
+
+
+def columns_of(table: Table) -> NDArray[np.int64]:
+    """Return the column of each stored weight among a class's sums, or -1: a packed table has one for each."""
+    if isinstance(table.body, Packed):
+        return np.arange(table.places.size)
+    return np.asarray(table.body.columns, dtype=np.int64)
+
+
+def others(table: Table) -> int:
+    """Return how many products the other axes' functions have."""
+    return int(np.prod([degree + 1 for degree in table.degrees[1:]], dtype=int))
+
+
+def _sums(table: Table) -> Iterator[str]:
+    """Yield the sizes of sums and rows, and where a class's sums go."""
+    lengths, column = lengths_of(table), columns_of(table)
+    degrees = np.sqrt(table.places).astype(int)
+    width = int(column.max()) + 1
+    terms = lengths.sum(axis=1)
+    # Of each class the first product is aligned: the last store of the class before may run over its end.
+    rooms = -(-terms // _FOUR) * _FOUR
+    places = np.cumsum(rooms) - rooms
     yield ""
-    yield from commented("Rows, in groups of four; a row's outputs, and those that the first 1, 2, .. bands take.")
-    yield f"#define {P}_TERMS {terms}"
-    yield f"#define {P}_GROUPS {groups}"
+    yield from commented("Classes; a row's numbers, one a sum, and those of the first 1, 2, .. bands; room for a class's sums.")
+    yield f"#define {P}_CLASSES {table.spec.classes}"
+    yield f"#define {P}_FACTORS {len(table.spec.scale.program.outputs) if table.spec.scale else 1}"
     yield f"#define {P}_WIDTH {width}"
-    yield f"#define {P}_WIDTHS {_braced(layout(table.spec, table.bands).widths)}"
-    yield from commented("Of each product of the other axes' functions: how many functions of the first axis it has.")
-    yield f"#define {P}_LENGTHS {_braced(body.lengths.tolist())}"
-    yield from commented("The same: the first product's rows; of each other that has any, first row, rows, place.")
-    yield f"#define {P}_LEADING {int(body.lengths[0])}"
-    kept = [(int(start), int(n), r) for r, (start, n) in enumerate(zip(starts, body.lengths, strict=False)) if n and r]
+    yield f"#define {P}_WIDTHS {_braced(int(np.sum((column >= 0) & (degrees < n))) for n in range(1, table.bands + 1))}"
+    yield f"#define {P}_ROOM {-(-width // _WIDEST) * _WIDEST}"
+    yield from commented("All rows; of each class the first row, how many, and the place of its first product.")
+    yield f"#define {P}_TERMS {int(terms.sum())}"
+    yield f"#define {P}_STARTS {_braced((np.cumsum(terms) - terms).tolist())}"
+    yield f"#define {P}_COUNTS {_braced(terms.tolist())}"
+    yield f"#define {P}_PLACES {_braced(places.tolist())}"
+    yield f"#define {P}_PRODUCTS_ROOM {int(rooms.sum()) + _FOUR}"
+    yield from commented("Of each class and product of the other axes' functions: how many functions of the first axis it has.")
+    yield f"#define {P}_LENGTHS {_braced(map(_braced, lengths.tolist()))}"
+    yield from commented("The same: of each that has any, the place of its first product, how many, the other axes' product.")
+    starts = places[:, np.newaxis] + np.cumsum(lengths, axis=1) - lengths
+    kept = [(int(starts[k, r]), int(lengths[k, r]), r) for k, r in np.ndindex(*lengths.shape) if lengths[k, r]]
     yield from _list(f"#define {P}_PRODUCTS(PRODUCT)", [f"PRODUCT({start}, {n}, {r})" for start, n, r in kept])
-    yield from commented("Where a row's outputs go: for each band, by channel, degree, order and column.")
-    kinds = "ZONAL, ONE, FOUR" if table.spec.mirrored else "DEGREE"
-    yield from _list(f"#define {P}_STORES(BAND, NOTHING, {kinds})", _stores(table))
+    yield from _places(table, column)
+
+
+def _places(table: Table, column: NDArray[np.int64]) -> Iterator[str]:
+    """Yield where a class's sums go."""
+    first = {isqrt(place): int(k) for place, k in reversed(list(zip(table.places.tolist(), column.tolist(), strict=True)))}
+    yield from commented("Where sums go: of each degree, the first column, or -1 where it carries nothing.")
+    yield f"#define {P}_COLUMNS {_braced(first[l] for l in range(table.bands))}"
+    if not table.spec.mirrored:
+        found = [f"DEGREE({l}, {k})" for l, k in sorted(first.items()) if k >= 0]
+        yield from _list(f"#define {P}_DEGREES(DEGREE)", found)
+        return
+    yield from commented("Of each low degree, order and column; of the others, in fours, order, column and the place of m = 0.")
+    low = [f"BAND({l}, {' '.join(f'ONE({l}, {m}, {first[l] + m})' for m in range(l + 1))})" for l in range(table.bands)
+           if l < _FOUR - 1 and first[l] >= 0]
+    yield from _list(f"#define {P}_LOW(BAND, ONE)", low)
+    # The last four of a degree may overlap those before.
+    fours = [
+        [(l, m, first[l] + m, l * (l + 1)) for m in sorted({*range(0, l - 3, _FOUR), l - 3})] if first[l] >= 0 else []
+        for l in range(_FOUR - 1, table.bands)
+    ]
+    flat = [four for degree in fours for four in degree]
+    counts = np.cumsum([0] * min(_FOUR - 1, table.bands) + [len(degree) for degree in fours]).tolist()
+    if flat:
+        yield f"#define {P}_FOURS {_braced(_braced(four[1:]) for four in flat)}"
+        yield f"#define {P}_FOURS_COUNT {len(flat)}"
+        yield f"#define {P}_FOURS_COUNTS {_braced(counts)}"
+
+
+def _rows(body: ClassRows) -> Iterator[str]:
+    width = body.rows.shape[1]
+    number = exact if body.rows.dtype == np.float64 else single
     yield ""
-    yield from commented("A row a term (functions of the other axes, then of the first): its coefficient for every output.")
-    numbers = [number(c) for c in body.rows.ravel().tolist()] + [number(0.0)] * ((_FOUR * groups - terms) * width)
+    yield from commented("Of each class, a row a term (functions of the other axes, then of the first): its number for every sum.")
+    numbers = [number(c) for c in body.rows.ravel().tolist()]
+    # The last row is read in vectors of as many numbers as a compiler has.
+    numbers += [number(0.0)] * (-width % _WIDEST)
     yield from _array(f"static const {_p}_real {_p}_rows", numbers, len(numbers))
-
-
-def _stores(table: Table) -> Iterator[str]:
-    """Yield what is stored of each band: turned by the azimuth where m < 0 is not stored."""
-    column = {place: k for k, place in enumerate(layout(table.spec, table.bands).places) if place}
-    for l in range(table.bands):
-        found = []
-        for c in range(len(table.channels)):
-            if (l, c, 0) not in column:
-                found.append(f"NOTHING({c}, {l})")
-            elif not table.spec.mirrored:
-                found.append(f"DEGREE({c}, {l}, {column[l, c, -l]})")
-            else:
-                alone = (l + 1) % _FOUR
-                found += [f"ZONAL({c}, {l}, {column[l, c, 0]})"] if alone else []
-                found += [f"ONE({c}, {l}, {m}, {column[l, c, m]})" for m in range(1, alone)]
-                found += [f"FOUR({c}, {l}, {m}, {column[l, c, m]})" for m in range(alone, l + 1, _FOUR)]
-        yield f"BAND({l}, {' '.join(found)})"
 
 
 def packed(table: Table) -> Iterator[str]:
@@ -200,7 +272,7 @@ def packed(table: Table) -> Iterator[str]:
     )
     yield f"#define {P}_RUNS {body.rest_profile.size}"
     yield f"#define {P}_RUN_PROFILE {_braced(body.rest_profile.tolist())}"
-    yield f"#define {P}_CHANNEL_PROFILE {_braced(body.channel_profile.tolist())}"
+    yield f"#define {P}_CLASS_PROFILE {_braced(body.channel_profile.tolist())}"
     yield f"#define {P}_STEP {language(table).number(body.step)}"
     yield ""
     yield from commented("Whole numbers as Rice codes.")

@@ -7,15 +7,18 @@ from collections.abc import Iterator, Sequence
 from skylight_sh.export import c_data
 from skylight_sh.export.evaluators import commented
 from skylight_sh.formula import printers
-from skylight_sh.formula.azimuth import TURN, waves_of_angle
+from skylight_sh.formula.azimuth import TURN, stretched_waves
 from skylight_sh.formula.bases import BASES
-from skylight_sh.formula.expression import with_derivatives
+from skylight_sh.formula.elementary import sin
+from skylight_sh.formula.expression import trace, with_derivatives
 from skylight_sh.formula.printers import C_DOUBLE, C_SINGLE, Language
 from skylight_sh.formula.window import SINC
 from skylight_sh.runtime import Program, Table
 from skylight_sh.table.prefactor import CLOSED_FORM
 
-_p = "skylight_sh"
+P, _p = c_data.P, "skylight_sh"
+# Of the peak's zenith angle.
+SINE = trace(lambda theta: [sin(theta)], ["theta"])
 
 
 def functions(table: Table) -> Iterator[str]:
@@ -23,19 +26,29 @@ def functions(table: Table) -> Iterator[str]:
     language, real = c_data.language(table), f"{_p}_real"
     x = [f"x[{axis}]" for axis in range(len(table.axes))]
     yield from commented(f"What all weights share: {_about(table)}.")
-    scaled = _returning(table.spec.scale.program, language, x) if table.spec.scale else ["return 1;"]
-    lines = scaled if any("x[" in line for line in scaled) else ["(void)x;", *scaled]
-    yield from _function(f"{real} {_p}_scale(const {real} *x)", lines)
+    scale = table.spec.scale
+    if scale and c_data.is_mixed(table):
+        targets = [f"out[{k}]" for k in range(len(scale.program.outputs))]
+        lines = [*printers.assignments(scale.program, language, x, targets), "(void)x;"]
+        yield from _function(f"void {_p}_factors(const {real} *x, {real} *out)", lines)
+    else:
+        scaled = _returning(scale.program, language, x) if scale else ["return 1;"]
+        lines = scaled if any("x[" in line for line in scaled) else ["(void)x;", *scaled]
+        yield from _function(f"{real} {_p}_scale(const {real} *x)", lines)
     yield from commented(f"The functions of {_axis(table, 0)}; 0 where there is none.")
     yield from _function(f"void {_p}_first(const {real} *x, {real} *out)", _first(table, language))
     others = ", ".join(_axis(table, axis) for axis in range(1, len(x)))
     yield from commented(f"All products of the functions of {others or 'no other axis'}.")
     yield from _function(f"void {_p}_others(const {real} *x, {real} *out)", _others(table, language))
-    yield from commented("cos(m azimuth) and sin(m azimuth) for m < bands, by doubling.")
+    yield from commented("cos(m azimuth) and sin(m azimuth), m < bands, each times the m-th power of `radius`, by doubling.")
     targets = [f"{name}[{m}]" for name in ("cosines", "sines") for m in range(table.bands)]
-    lines = printers.assignments(waves_of_angle(table.bands), language, ["azimuth"], targets)
-    lines += ["(void)azimuth;"] if table.bands == 1 else []
-    yield from _function(f"void {_p}_waves({real} azimuth, {real} *cosines, {real} *sines)", lines)
+    lines = printers.assignments(stretched_waves(table.bands), language, ["azimuth", "radius"], targets)
+    lines += ["(void)azimuth;", "(void)radius;"] if table.bands == 1 else []
+    yield from _function(f"void {_p}_waves({real} azimuth, {real} radius, {real} *cosines, {real} *sines)", lines)
+    if table.spec.parity:
+        yield from commented("The sine of the sun's zenith angle, whose powers the sums of order m lack.")
+        peak = f"x[{P}_SUN]"
+        yield from _function(f"{real} {_p}_sine(const {real} *x)", _returning(SINE, language, [peak]))
     if not table.spec.mirrored:
         yield from commented("The weights of orders m and -m turned by the azimuth (Habel et al. 2008, eq. 4).")
         found, results = printers.statements(TURN, language, ["plus", "minus", "cosine", "sine"])
@@ -66,16 +79,20 @@ def slopes(table: Table) -> Iterator[str]:
         lines.append("}")
     lines.append("(void)v;")
     yield from _function(f"void {_p}_functions(int axis, double v, double *out, double *slopes)", lines)
-    yield from commented("What all weights share, then its slopes after the axes.")
+    yield from commented("The factors, then their slopes after each axis.")
     if table.spec.scale:
         axes = range(len(table.axes))
         program = with_derivatives(table.spec.scale.program, list(axes))
-        inputs, targets = [f"x[{axis}]" for axis in axes], [f"out[{k}]" for k in range(1 + len(axes))]
+        inputs, targets = [f"x[{axis}]" for axis in axes], [f"out[{k}]" for k in range(len(program.outputs))]
         # A constant factor reads no axis.
         lines = [*printers.assignments(program, C_DOUBLE, inputs, targets), "(void)x;"]
     else:
         lines = ["(void)x;", *(f"out[{k}] = {float(k == 0)};" for k in range(1 + len(table.axes)))]
-    yield from _function(f"void {_p}_scale_slopes(const double *x, double *out)", lines)
+    yield from _function(f"void {_p}_factor_slopes(const double *x, double *out)", lines)
+    if table.spec.parity:
+        yield from commented("The sine of the sun's zenith angle, then its slope.")
+        lines = printers.assignments(with_derivatives(SINE, [0]), C_DOUBLE, [f"x[{P}_SUN]"], ["out[0]", "out[1]"])
+        yield from _function(f"void {_p}_sine_slope(const double *x, double *out)", lines)
     if table.spec.twilight:
         yield from commented("The fade, then its slope.")
         program = with_derivatives(table.spec.twilight.program, [0])

@@ -15,7 +15,8 @@ from dataclasses import dataclass
 from skylight_sh import __version__
 from skylight_sh.export import c_comment, c_data, c_formulas, evaluators, prefixes
 from skylight_sh.export.evaluators import part, renamed, wrapped
-from skylight_sh.runtime import Rows, Table
+from skylight_sh.runtime import Packed, Table
+from skylight_sh.table.rows import by_class
 from skylight_sh.table.size import bytes_of
 
 # What errors are fractions of, by the convention's name.
@@ -47,6 +48,7 @@ def write(table: Table, facts: Facts, prefix: str = evaluators.PREFIX) -> str:
     Raises ValueError for a prefix that is no C identifier of lower-case letters, digits and underscores.
     """
     prefixes.check(prefix)
+    table = by_class(table)
     unit, _ = c_comment.about(table)
     has = c_data.features(table)
     declared = [*c_data.facts(table, unit, facts.e_mean, facts.e_max), "", *_declarations(table)]
@@ -91,6 +93,7 @@ def example(table: Table, twin: Table) -> str:
         *(f"#define {_P}_{name} 1" for name in sorted(c_data.features(table))),
         *c_data.facts(table, "cd/m2", 0.0, 0.0),
         *c_data.data(table, ()),
+        c_data.unpacked(twin),
         *c_data.packed(twin),
         "",
         *c_formulas.functions(table),
@@ -100,7 +103,11 @@ def example(table: Table, twin: Table) -> str:
 
 
 def _parts(table: Table) -> list[str]:
-    return ["inputs", "turn", "rows" if isinstance(table.body, Rows) else "packed", "evaluate", "gradient"]
+    return ["inputs", "vectors", "turn", "rows", *(["packed"] if _is_packed(table) else []), "evaluate", "gradient"]
+
+
+def _is_packed(table: Table) -> bool:
+    return isinstance(table.body, Packed)
 
 
 def _inputs(table: Table) -> list[str]:
@@ -121,41 +128,75 @@ def _signatures(table: Table) -> dict[str, tuple[str, str]]:
     given = f"{_p}_given"
     single = f"    const float {given}[{_P}_AXES] = {one};\n"
     batch = f"    const float *const {given}[{_P}_AXES] = {one};\n"
-    return {
+    packed = _is_packed(table)
+    rows = "NULL" if packed else f"{_p}_rows"
+    found = {
         "weights": (
             f"{numbers}, float weights{_WEIGHTS}",
-            f"{single}    return {_p}_evaluate({given}, {azimuth}, {_P}_BANDS, weights);",
+            f"{single}    return {_p}_evaluate({rows}, {given}, {azimuth}, {_P}_BANDS, weights);",
         ),
         "weights_bands": (
             f"{numbers}, int bands, float weights{_WEIGHTS}",
-            f"{single}    return {_p}_evaluate({given}, {azimuth}, bands, weights);",
+            f"{single}    return {_p}_evaluate({rows}, {given}, {azimuth}, bands, weights);",
         ),
         "weights_batch": (
             f"int count, {arrays}, float (*weights){_WEIGHTS}",
-            f"{batch}    return {_p}_evaluate_batch(count, {given}, {many}, weights);",
+            f"{batch}    return {_p}_evaluate_batch({rows}, count, {given}, {many}, weights);",
         ),
         "weights_gradient": (
             f"{numbers}, float weights{_WEIGHTS}, float gradient[{_P}_AXES]{_WEIGHTS}",
-            f"{single}    return {_p}_evaluate_gradient({given}, {azimuth}, weights, gradient);",
+            f"{single}    return {_p}_evaluate_gradient({rows}, {given}, {azimuth}, weights, gradient);",
         ),
     }
+    if not packed:
+        return found
+    memory = f"float memory[{_P}_UNPACKED]"
+    # Decoded once, for all suns.
+    found["weights_batch"] = (
+        found["weights_batch"][0],
+        f"{batch}    float {_p}_memory[{_P}_UNPACKED];\n    if (count > 1) {_p}_unpack_rows({_p}_memory);\n"
+        f"    return {_p}_evaluate_batch(count > 1 ? {_p}_memory : NULL, count, {given}, {many}, weights);",
+    )
+    return found | {
+        "unpack": (memory, f"    {_p}_unpack_rows(memory);"),
+        "unpacked_weights": (
+            f"const {memory}, {numbers}, float weights{_WEIGHTS}",
+            f"{single}    return {_p}_evaluate(memory, {given}, {azimuth}, {_P}_BANDS, weights);",
+        ),
+        "unpacked_weights_bands": (
+            f"const {memory}, {numbers}, int bands, float weights{_WEIGHTS}",
+            f"{single}    return {_p}_evaluate(memory, {given}, {azimuth}, bands, weights);",
+        ),
+        "unpacked_weights_batch": (
+            f"const {memory}, int count, {arrays}, float (*weights){_WEIGHTS}",
+            f"{batch}    return {_p}_evaluate_batch(memory, count, {given}, {many}, weights);",
+        ),
+    }
+
+
+def _result(name: str) -> str:
+    """Return the type of what a public function of the inputs returns."""
+    return "void" if name == "unpack" else "int"
 
 
 def _declarations(table: Table) -> Iterator[str]:
     has = c_data.features(table)
     axes = ", ".join(axis.name for axis in table.axes)
-    suns = f"{table.axes[0].name}{'' if table.spec.azimuth is not None else ' and azimuth'} alone"
     told = {
         "weights": "Evaluates all bands.",
         "weights_bands": f"Evaluates the first `bands` bands (1 to {_P}_BANDS, clamped likewise) and zeroes the rest.",
-        "weights_batch": "Evaluates `count` suns from arrays; returns the largest status. "
-        + (f"Suns in a row that differ in {suns} cost less." if "HAS_ROWS" in has else "No faster than single calls."),
+        "weights_batch": "Evaluates `count` suns from arrays; returns the largest status."
+        + ("" if "HAS_ROWS" in has else f" Unpacks the table once, {_P}_UNPACKED floats on the stack."),
         "weights_gradient": f"Evaluates all bands and their derivatives after each axis ({axes}), per unit of the axis; "
         "beyond a range, those at its edge.",
+        "unpack": f"Unpacks the table into memory of the caller's, {_P}_UNPACKED floats, for the calls below.",
+        "unpacked_weights": "Evaluates all bands of an unpacked table: far faster than of the packed one.",
+        "unpacked_weights_bands": "The same for the first `bands` bands.",
+        "unpacked_weights_batch": "The same for `count` suns from arrays; returns the largest status.",
     }
     for name, (parameters, _) in _signatures(table).items():
         yield from evaluators.commented(told[name])
-        yield f"{_P}_API int {_p}_{name}({parameters});"
+        yield f"{_P}_API {_result(name)} {_p}_{name}({parameters});"
     if "HAS_DIRECTION" in has:
         yield "/* Unit vector of the dominant light. Returns 0, or 1 (and straight up) where there is none. */"
         yield f"#define {_p}_dominant(weights, direction) \\"
@@ -171,11 +212,11 @@ def _declarations(table: Table) -> Iterator[str]:
 
 def _wrappers(table: Table) -> Iterator[str]:
     for name, (parameters, body) in _signatures(table).items():
-        yield f"{_P}_API int {_p}_{name}({parameters})\n{{\n{body}\n}}\n"
+        yield f"{_P}_API {_result(name)} {_p}_{name}({parameters})\n{{\n{body}\n}}\n"
 
 
 def _comment(table: Table, facts: Facts, prefix: str) -> Iterator[str]:
-    p, upper, fast = prefix, prefix.upper(), isinstance(table.body, Rows)
+    p, upper, fast = prefix, prefix.upper(), not _is_packed(table)
     _, notes = c_comment.about(table)
     middle = {axis.name: c_data.single(float(f"{(axis.low + axis.high) / 2:.3g}")) for axis in table.axes}
     example = ", ".join(middle.get(name, "0.0f") for name in _inputs(table))

@@ -32,6 +32,20 @@ def waves_of_angle(bands: int) -> Program:
     return trace(lambda azimuth: [wave for part in waves(cos(azimuth), sin(azimuth), bands) for wave in part], ["azimuth"])
 
 
+def stretched_waves(bands: int) -> Program:
+    """Return the program of an azimuth and a radius: all cosines, then all sines, each times the m-th power of the radius.
+
+    >>> [round(float(wave), 4) for wave in stretched_waves(2).run([1.0, 0.5])]
+    [1.0, 0.2702, 0.0, 0.4207]
+    """
+    return trace(
+        lambda azimuth, radius: [
+            wave for part in waves(radius * cos(azimuth), radius * sin(azimuth), bands) for wave in part
+        ],
+        ["azimuth", "radius"],
+    )
+
+
 # Of the weights of orders m and -m, m > 0, by the cosine and sine of m times the azimuth.
 TURN = trace(
     lambda plus, minus, cosine, sine: [turned(plus, minus, cosine, sine), turned(minus, plus, cosine, -sine)],

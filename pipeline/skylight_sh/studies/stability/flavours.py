@@ -31,6 +31,8 @@ def flavours() -> dict[str, Table]:
     two, three = (_ZENITH, _TURBIDITY), (_ZENITH, _TURBIDITY, _ALBEDO)
     specified = tuple(axis.specified for axis in two)
     closed = closed_form(_SKY.prefactor, specified) if _SKY.prefactor else None
+    classes = closed_form(_SKY.classes, specified) if _SKY.classes else None
+    even: dict[str, Any] = {"peak_axis": _ZENITH.name, "parity": True}
     found = reciprocal(np.array([[2.0, 0.3], [0.4, 0.1], [0.1, 0.0]], dtype=np.float32), specified)
     sinking: dict[str, Any] = {"twilight": TWILIGHT}
     made = {
@@ -47,6 +49,19 @@ def flavours() -> dict[str, Table]:
             _rows(rng, specification(two, _RGB, True, "chebyshev", closed), (5, 2), 3, "float32"), surroundings=_around(rng)
         ),
         "unmirrored-packed": _packed(rng, specification((_TURBIDITY,), _RGB, False, "fourier", None), (4,), 3),
+        "classes": _rows(rng, specification(two, _RGB, True, "chebyshev", classes, **even), (9, 5), 7, "float32"),
+        "classes-packed": _packed(rng, specification(two, _RGB, True, "chebyshev", classes, **even), (6, 3), 4),
+        "classes-float64": _rows(
+            rng, specification(two, _RGB, True, "chebyshev", classes, **even, **sinking), (5, 2), 5, "float64"
+        ),
+        "classes-surrounded": replace(
+            _rows(rng, specification(two, _RGB, False, "chebyshev", classes, **even), (5, 2), 3, "float32"),
+            surroundings=_around(rng),
+        ),
+        "parity": _rows(rng, specification(two, ("luminance",), True, "chebyshev", closed, **even), (5, 2), 6, "float32"),
+        "irradiance": _rows(
+            rng, specification(two, _RGB, True, "chebyshev", classes, **even, quantity="irradiance"), (5, 2), 7, "float32"
+        ),
     }
     return {name: _with_sun(table) if table.spec.axes[0].name == _ZENITH.name else table for name, table in made.items()}
 
@@ -61,16 +76,18 @@ def _around(rng: np.random.Generator) -> Surroundings:
 
 
 def _dense(rng: np.random.Generator, spec: Specification, degrees: tuple[int, ...], bands: int) -> NDArray[np.float64]:
-    """Return coefficients ``(channels, count, d_1+1, ..)`` that fall off with the degree, as those of smooth lights do."""
+    """Return coefficients ``(classes, count, d_1+1, ..)`` that fall off with the degree, as those of smooth lights do."""
     sizes = tuple(d + 1 for d in degrees)
-    dense = rng.normal(size=(len(spec.channels), stored(spec, bands).count, *sizes))
+    dense = rng.normal(size=(spec.classes, stored(spec, bands).count, *sizes))
     return np.asarray(dense * 2.0 ** -np.sum(np.indices(sizes), axis=0))
 
 
 def _rows(rng: np.random.Generator, spec: Specification, degrees: tuple[int, ...], bands: int, dtype: str) -> Table:
     dense = _dense(rng, spec, degrees, bands)
-    lengths = degrees[0] + 1 - np.sum(np.indices(dense.shape[3:]), axis=0) if len(degrees) > 1 else np.array(degrees[0] + 1)
-    return fast(spec, dense, np.asarray(lengths), bands, dtype)
+    # Each class keeps fewer terms than the one before.
+    rest = np.sum(np.indices(dense.shape[3:]), axis=0) if len(degrees) > 1 else np.array(0)
+    lengths = np.stack([np.maximum(degrees[0] + 1 - rest - k, 0) for k in range(len(dense))])
+    return fast(spec, dense, lengths, bands, dtype)
 
 
 def _packed(rng: np.random.Generator, spec: Specification, degrees: tuple[int, ...], bands: int) -> Table:

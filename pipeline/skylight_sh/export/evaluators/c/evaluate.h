@@ -1,5 +1,4 @@
 #pragma once
-#include "inputs.h"
 #if SKYLIGHT_SH_HAS_ROWS
 #include "rows.h"
 #else
@@ -48,25 +47,12 @@ static inline void skylight_sh_surround(int bands, int lights,
 }
 #endif
 
-/* What becomes of the first `bands` bands once they are stored; the others become 0. */
-static inline void skylight_sh_finish(int bands, int lights, const skylight_sh_real *cosines,
-                                      const skylight_sh_real *sines,
+/* What becomes of the first `bands` bands once they are stored. */
+static inline void skylight_sh_finish(int bands, int lights,
                                       float weights[SKYLIGHT_SH_CHANNELS][SKYLIGHT_SH_WEIGHTS])
 {
 #if SKYLIGHT_SH_HAS_SURROUNDINGS
-#if !SKYLIGHT_SH_IS_MIRRORED
-    skylight_sh_turn_all(SKYLIGHT_SH_BANDS, cosines, sines, weights);
-#endif
     skylight_sh_surround(bands, lights, weights);
-#else
-#if !SKYLIGHT_SH_IS_MIRRORED
-    skylight_sh_turn_all(bands, cosines, sines, weights);
-#endif
-    if (bands < SKYLIGHT_SH_BANDS) {
-        int channel, i;
-        for (channel = 0; channel < SKYLIGHT_SH_CHANNELS; ++channel)
-            for (i = bands * bands; i < SKYLIGHT_SH_WEIGHTS; ++i) weights[channel][i] = 0.0f;
-    }
 #endif
 #if SKYLIGHT_SH_IS_WINDOWED
     if (bands < SKYLIGHT_SH_BANDS) {
@@ -80,20 +66,24 @@ static inline void skylight_sh_finish(int bands, int lights, const skylight_sh_r
         }
     }
 #endif
+    (void)bands;
     (void)lights;
-    (void)cosines;
-    (void)sines;
+    (void)weights;
 }
 
 /* Evaluates the first `bands` bands (1 to SKYLIGHT_SH_BANDS, clamped like an input) and zeroes the
-   rest; returns the status. */
-static inline int skylight_sh_evaluate(const float inputs[SKYLIGHT_SH_AXES], float azimuth,
+   rest; returns the status. `rows` are the table's; those of a packed table may be missing. */
+static inline int skylight_sh_evaluate(const skylight_sh_real *rows,
+                                       const float inputs[SKYLIGHT_SH_AXES], float azimuth,
                                        int bands,
                                        float weights[SKYLIGHT_SH_CHANNELS][SKYLIGHT_SH_WEIGHTS])
 {
     skylight_sh_real x[SKYLIGHT_SH_AXES], first[SKYLIGHT_SH_FIRST], others[SKYLIGHT_SH_OTHERS];
-    skylight_sh_real cosines[SKYLIGHT_SH_BANDS], sines[SKYLIGHT_SH_BANDS], scale;
-    int i, status = skylight_sh_inputs(inputs, azimuth, x);
+    skylight_sh_real cosines[SKYLIGHT_SH_BANDS], sines[SKYLIGHT_SH_BANDS];
+    skylight_sh_real sums[SKYLIGHT_SH_CLASSES][SKYLIGHT_SH_ROOM];
+    skylight_sh_real factors[SKYLIGHT_SH_CHANNELS * SKYLIGHT_SH_CLASSES];
+    skylight_sh_real light = SKYLIGHT_SH_EXPOSURE, radius = 1;
+    int i, all, status = skylight_sh_inputs(inputs, azimuth, x);
     if (status == 2) {
         memset(weights, 0, sizeof(float) * SKYLIGHT_SH_CHANNELS * SKYLIGHT_SH_WEIGHTS);
         return 2;
@@ -102,82 +92,62 @@ static inline int skylight_sh_evaluate(const float inputs[SKYLIGHT_SH_AXES], flo
         bands = bands < 1 ? 1 : SKYLIGHT_SH_BANDS;
         status = 1;
     }
-    scale = skylight_sh_scale(x) * (skylight_sh_real)SKYLIGHT_SH_EXPOSURE;
 #if SKYLIGHT_SH_HAS_TWILIGHT
-    scale *= skylight_sh_twilight(inputs[SKYLIGHT_SH_SUN]);
+    light *= skylight_sh_twilight(inputs[SKYLIGHT_SH_SUN]);
 #endif
     skylight_sh_first(x, first);
     skylight_sh_others(x, others);
-    for (i = 0; i < SKYLIGHT_SH_OTHERS; ++i) others[i] *= scale;
-    skylight_sh_waves((skylight_sh_real)azimuth, cosines, sines);
+#if SKYLIGHT_SH_IS_MIXED
+    skylight_sh_factors(x, factors);
+    for (i = 0; i < SKYLIGHT_SH_CHANNELS * SKYLIGHT_SH_CLASSES; ++i) factors[i] *= light;
+#else
+    light *= skylight_sh_scale(x);
+    for (i = 0; i < SKYLIGHT_SH_OTHERS; ++i) others[i] *= light;
+    factors[0] = light;
+#endif
+#if SKYLIGHT_SH_HAS_PARITY
+    radius = skylight_sh_sine(x);
+#endif
+    skylight_sh_waves((skylight_sh_real)azimuth, radius, cosines, sines);
 #if SKYLIGHT_SH_HAS_SURROUNDINGS
     /* All bands: what surrounds the sky carries light from one to another. */
-    skylight_sh_combine(first, others, cosines, sines, SKYLIGHT_SH_BANDS, weights);
+    all = SKYLIGHT_SH_BANDS;
 #else
-    skylight_sh_combine(first, others, cosines, sines, bands, weights);
+    all = bands;
 #endif
-    skylight_sh_finish(bands, 1, cosines, sines, weights);
+#if SKYLIGHT_SH_HAS_ROWS
+    skylight_sh_sum_rows(rows, first, others, all, sums);
+#else
+    if (rows)
+        skylight_sh_sum_rows(rows, first, others, all, sums);
+    else
+        skylight_sh_sum_stream(first, others, all, sums);
+#endif
+#if SKYLIGHT_SH_HAS_GAPS
+    memset(weights, 0, sizeof(float) * SKYLIGHT_SH_CHANNELS * SKYLIGHT_SH_WEIGHTS);
+#else
+    if (bands < SKYLIGHT_SH_BANDS)
+        memset(weights, 0, sizeof(float) * SKYLIGHT_SH_CHANNELS * SKYLIGHT_SH_WEIGHTS);
+#endif
+    skylight_sh_store(sums, factors, cosines, sines, all, weights);
+    skylight_sh_finish(bands, 1, weights);
     return status;
 }
 
 /* Evaluates `count` suns from arrays, one an axis, and one of azimuths (or none, where the table
    fixes it); returns the largest status. */
 static inline int skylight_sh_evaluate_batch(
-    int count, const float *const inputs[SKYLIGHT_SH_AXES], const float *azimuths,
-    float (*weights)[SKYLIGHT_SH_CHANNELS][SKYLIGHT_SH_WEIGHTS])
+    const skylight_sh_real *rows, int count, const float *const inputs[SKYLIGHT_SH_AXES],
+    const float *azimuths, float (*weights)[SKYLIGHT_SH_CHANNELS][SKYLIGHT_SH_WEIGHTS])
 {
     int s, axis, worst = 0;
-#if SKYLIGHT_SH_HAS_ROWS
-    /* The rows summed over the other axes once, for all suns in a row that share them. */
-    skylight_sh_real line[SKYLIGHT_SH_FIRST * SKYLIGHT_SH_WIDTH], shared[SKYLIGHT_SH_AXES];
-    int ready = 0;
-#endif
     for (s = 0; s < count; ++s) {
         const float azimuth = azimuths ? azimuths[s] : SKYLIGHT_SH_AZIMUTH;
         float sun[SKYLIGHT_SH_AXES];
         int status;
-#if SKYLIGHT_SH_HAS_ROWS
-        skylight_sh_real x[SKYLIGHT_SH_AXES], first[SKYLIGHT_SH_FIRST], sums[SKYLIGHT_SH_WIDTH];
-        skylight_sh_real cosines[SKYLIGHT_SH_BANDS], sines[SKYLIGHT_SH_BANDS], scale;
-        int i;
-#endif
         for (axis = 0; axis < SKYLIGHT_SH_AXES; ++axis) sun[axis] = inputs[axis][s];
-#if SKYLIGHT_SH_HAS_ROWS
-        status = skylight_sh_inputs(sun, azimuth, x);
+        status = skylight_sh_evaluate(rows, sun, azimuth, SKYLIGHT_SH_BANDS, weights[s]);
         worst = status > worst ? status : worst;
-        if (status == 2) {
-            memset(weights[s], 0, sizeof weights[s]);
-            continue;
-        }
-        ready = ready && !memcmp(x + 1, shared + 1, sizeof *x * (SKYLIGHT_SH_AXES - 1));
-        if (!ready) {
-            skylight_sh_real others[SKYLIGHT_SH_OTHERS];
-            skylight_sh_others(x, others);
-            for (i = 0; i < SKYLIGHT_SH_LEADING * SKYLIGHT_SH_WIDTH; ++i)
-                line[i] = others[0] * skylight_sh_rows[i];
-            for (; i < SKYLIGHT_SH_FIRST * SKYLIGHT_SH_WIDTH; ++i) line[i] = 0;
-#define SKYLIGHT_SH_PRODUCT(start, count, other) \
-    for (i = 0; i < (count) * SKYLIGHT_SH_WIDTH; ++i) \
-        line[i] += others[other] * skylight_sh_rows[(start) * SKYLIGHT_SH_WIDTH + i];
-            SKYLIGHT_SH_PRODUCTS(SKYLIGHT_SH_PRODUCT)
-#undef SKYLIGHT_SH_PRODUCT
-            memcpy(shared, x, sizeof shared);
-            ready = 1;
-        }
-        scale = skylight_sh_scale(x) * (skylight_sh_real)SKYLIGHT_SH_EXPOSURE;
-#if SKYLIGHT_SH_HAS_TWILIGHT
-        scale *= skylight_sh_twilight(sun[SKYLIGHT_SH_SUN]);
-#endif
-        skylight_sh_first(x, first);
-        for (i = 0; i < SKYLIGHT_SH_FIRST; ++i) first[i] *= scale;
-        skylight_sh_waves((skylight_sh_real)azimuth, cosines, sines);
-        skylight_sh_sum(line, SKYLIGHT_SH_FIRST / 4, first, SKYLIGHT_SH_WIDTH, sums);
-        skylight_sh_store(sums, cosines, sines, SKYLIGHT_SH_BANDS, weights[s]);
-        skylight_sh_finish(SKYLIGHT_SH_BANDS, 1, cosines, sines, weights[s]);
-#else
-        status = skylight_sh_evaluate(sun, azimuth, SKYLIGHT_SH_BANDS, weights[s]);
-        worst = status > worst ? status : worst;
-#endif
     }
     return worst;
 }

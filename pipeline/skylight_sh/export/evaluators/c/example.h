@@ -11,6 +11,7 @@
 #define SKYLIGHT_SH_HAS_SURROUNDINGS 1
 #define SKYLIGHT_SH_HAS_TRANSFER 1
 #define SKYLIGHT_SH_IS_MIRRORED 1
+#define SKYLIGHT_SH_IS_SINGLE 1
 #define SKYLIGHT_SH_VERSION "0.1.0"
 #define SKYLIGHT_SH_BANDS 3
 #define SKYLIGHT_SH_WEIGHTS 9
@@ -42,86 +43,85 @@ static const float skylight_sh_inside[SKYLIGHT_SH_AXES][2] = { { -1.57079626e-06
 static const skylight_sh_real skylight_sh_range[SKYLIGHT_SH_AXES][2] = { { 0.0f, 1.57079637f },
     { 2.5f, 6.0f } };
 
-/* Rows, in groups of four; a row's outputs, and those that the first 1, 2,
-   .. bands take. */
-#define SKYLIGHT_SH_TERMS 15
-#define SKYLIGHT_SH_GROUPS 4
-#define SKYLIGHT_SH_WIDTH 24
-#define SKYLIGHT_SH_WIDTHS { 8, 16, 24 }
-/* Of each product of the other axes' functions: how many functions of the
-   first axis it has. */
-#define SKYLIGHT_SH_LENGTHS { 6, 5, 4 }
-/* The same: the first product's rows; of each other that has any, first
-   row, rows, place. */
-#define SKYLIGHT_SH_LEADING 6
+/* Classes; a row's numbers, one a sum, and those of the first 1, 2, ..
+   bands; room for a class's sums. */
+#define SKYLIGHT_SH_CLASSES 3
+#define SKYLIGHT_SH_FACTORS 1
+#define SKYLIGHT_SH_WIDTH 6
+#define SKYLIGHT_SH_WIDTHS { 1, 3, 6 }
+#define SKYLIGHT_SH_ROOM 16
+/* All rows; of each class the first row, how many, and the place of its
+   first product. */
+#define SKYLIGHT_SH_TERMS 36
+#define SKYLIGHT_SH_STARTS { 0, 15, 27 }
+#define SKYLIGHT_SH_COUNTS { 15, 12, 9 }
+#define SKYLIGHT_SH_PLACES { 0, 16, 28 }
+#define SKYLIGHT_SH_PRODUCTS_ROOM 44
+/* Of each class and product of the other axes' functions: how many
+   functions of the first axis it has. */
+#define SKYLIGHT_SH_LENGTHS { { 6, 5, 4 }, { 5, 4, 3 }, { 4, 3, 2 } }
+/* The same: of each that has any, the place of its first product, how many,
+   the other axes' product. */
 #define SKYLIGHT_SH_PRODUCTS(PRODUCT) \
+    PRODUCT(0, 6, 0) \
     PRODUCT(6, 5, 1) \
-    PRODUCT(11, 4, 2)
-/* Where a row's outputs go: for each band, by channel, degree, order and
-   column. */
-#define SKYLIGHT_SH_STORES(BAND, NOTHING, ZONAL, ONE, FOUR) \
-    BAND(0, ZONAL(0, 0, 0) ZONAL(1, 0, 1) ZONAL(2, 0, 2)) \
-    BAND(1, ZONAL(0, 1, 3) ONE(0, 1, 1, 4) ZONAL(1, 1, 5) ONE(1, 1, 1, 6) ZONAL(2, 1, 7) ONE(2, 1, \
-        1, 8)) \
-    BAND(2, ZONAL(0, 2, 9) ONE(0, 2, 1, 10) ONE(0, 2, 2, 11) ZONAL(1, 2, 12) ONE(1, 2, 1, 13) \
-        ONE(1, 2, 2, 14) ZONAL(2, 2, 15) ONE(2, 2, 1, 16) ONE(2, 2, 2, 17))
+    PRODUCT(11, 4, 2) \
+    PRODUCT(16, 5, 0) \
+    PRODUCT(21, 4, 1) \
+    PRODUCT(25, 3, 2) \
+    PRODUCT(28, 4, 0) \
+    PRODUCT(32, 3, 1) \
+    PRODUCT(35, 2, 2)
+/* Where sums go: of each degree, the first column, or -1 where it carries
+   nothing. */
+#define SKYLIGHT_SH_COLUMNS { 0, 1, 3 }
+/* Of each low degree, order and column; of the others, in fours, order,
+   column and the place of m = 0. */
+#define SKYLIGHT_SH_LOW(BAND, ONE) \
+    BAND(0, ONE(0, 0, 0)) \
+    BAND(1, ONE(1, 0, 1) ONE(1, 1, 2)) \
+    BAND(2, ONE(2, 0, 3) ONE(2, 1, 4) ONE(2, 2, 5))
 
-/* A row a term (functions of the other axes, then of the first): its
-   coefficient for every output. */
-static const skylight_sh_real skylight_sh_rows[384] = {
-    0.335605919f, 0.644730568f, -1.05557287f, 2.48176026f, -0.100196339f, 0.0407164171f,
-    -0.827473283f, 0.78973496f, -1.20911455f, -0.885888755f, 0.683635235f, 1.80332017f,
-    -0.739131629f, -1.63941622f, -0.332288533f, 0.577257037f, -0.170365646f, 1.15141737f, 0.0f,
-    0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.171109587f, -0.422089666f, 0.640854895f, -0.778772652f,
-    0.00668307859f, -0.286016524f, -0.346090943f, -0.0953702107f, 0.539735198f, 0.572662771f,
-    -0.680465996f, -0.3431153f, -0.388817519f, -0.501302302f, 0.411037803f, -0.118976995f,
-    0.617406666f, 0.165115371f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, -0.114591978f, -0.246776253f,
-    -0.140581742f, 0.579275966f, 0.0739984587f, 0.0098612234f, 0.325837284f, -0.0872742534f,
-    -0.0899328738f, -0.306678981f, -0.109156139f, -0.212203473f, 0.11379651f, -0.0216603559f,
-    -0.534997284f, -0.413953394f, -0.0866116956f, -0.36868912f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f,
-    -0.140210018f, 0.295992315f, 0.0795135722f, 0.00196463102f, -0.0487515107f, 0.176901296f,
-    -0.225496456f, 0.0368601158f, -0.230682522f, 0.110092819f, 0.201823011f, -0.00423400663f,
-    0.25041908f, 0.0900957808f, 0.0864783078f, -0.0229251459f, 0.107126497f, 0.048759345f, 0.0f,
-    0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.132652149f, 0.0413550697f, 0.0365293175f, -0.0700664371f,
-    -0.0107418122f, 0.0509033352f, -0.0409153216f, -0.00628421642f, 0.0841446891f, -0.0074555492f,
-    -0.0752880052f, -0.0492782928f, 0.0616896264f, 0.0332292654f, 0.0594931841f, -0.0125786029f,
-    0.0913070291f, 0.0318668932f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, -0.029313812f, -0.0523945726f,
-    -0.0586763918f, -0.0448129475f, 0.00473997276f, 0.000857369509f, -0.0252438337f,
-    0.000402148959f, -0.00669185957f, -0.0071456302f, -0.0160068348f, 0.0130905667f, -0.0108964136f,
-    -0.0246490203f, -0.0557394922f, 0.032460466f, -0.00392124057f, -0.0432713553f, 0.0f, 0.0f, 0.0f,
-    0.0f, 0.0f, 0.0f, -0.0824306533f, -0.175980523f, 0.988402903f, 0.180648848f, -0.576504111f,
-    0.0727861524f, 0.679218411f, 0.166908592f, -0.0954055786f, -0.236564249f, -0.683609366f,
-    0.0308238138f, -0.380405605f, 0.0784901381f, -0.432893097f, -0.191024601f, 0.215126127f,
-    -0.567701817f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.115072228f, -0.0543769151f, 0.17677182f,
-    -0.0899175331f, -0.137138546f, 0.234063849f, 0.0307380445f, -0.017827699f, -0.250385225f,
-    0.253376365f, 0.298299521f, -0.136412129f, -0.252243876f, -0.0274623148f, -0.386282116f,
-    -0.23884578f, 0.0720245913f, -0.00939682405f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f,
-    -0.0848701745f, -0.0238941032f, 0.131460711f, 0.309105754f, 0.088253893f, -0.0698399097f,
-    -0.0400537252f, -0.0823968798f, 0.0645129383f, 0.02958427f, -0.13588126f, -0.0353792869f,
-    -0.0133453645f, 0.16385442f, 0.0258796923f, -0.106912106f, 0.0305694249f, 0.102486745f, 0.0f,
-    0.0f, 0.0f, 0.0f, 0.0f, 0.0f, -0.0668912455f, 0.0110663595f, -0.0200338047f, -0.0291926786f,
-    0.0576372631f, 0.174117789f, 0.0258447398f, 0.0797546431f, -0.0808293968f, -0.192063183f,
-    0.0605519153f, 0.000732275366f, 0.0157341808f, 0.0278725345f, -0.108054213f, -0.0180836283f,
-    -0.00895754807f, -0.0607646853f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0250204597f,
-    -0.0194069799f, 0.0245243758f, 0.0045588566f, 0.048620224f, 0.0148535548f, 0.00615383172f,
-    0.0533137843f, -0.0347327515f, -0.0189912282f, -0.0476851538f, -0.0532532781f, -0.0320024863f,
-    -0.00764459046f, -0.0170992482f, -0.017094776f, -0.00124959857f, 0.028146226f, 0.0f, 0.0f, 0.0f,
-    0.0f, 0.0f, 0.0f, -0.228986785f, -0.130353436f, 0.218447372f, 0.374932557f, -0.0857867748f,
-    -0.694470286f, 0.0163941365f, 0.370838195f, 0.414977312f, 0.254434437f, 0.282612979f,
-    -0.157040507f, 0.175808147f, -0.18745932f, -0.00650094775f, -0.0647580698f, 0.0393163897f,
-    0.116860859f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.103121042f, 0.0795061886f, -0.120993465f,
-    0.0757214054f, 0.11459405f, -0.0182672478f, -0.223289698f, 0.0335706733f, -0.0920581147f,
-    0.229828358f, 0.1391882f, 0.168938488f, -0.0958637297f, -0.0213802028f, 0.0388718769f,
-    -0.204746425f, 0.245035082f, 0.185001075f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.024257144f,
-    0.000587359304f, 0.0167057347f, 0.0139511311f, 0.0291678868f, 0.0345002636f, -0.0845831037f,
-    0.057716731f, 0.0578550585f, -0.0104218982f, -0.0520533212f, -0.0393122546f, 0.0463503636f,
-    -0.0831888467f, 0.012868179f, -0.0161874183f, -0.0218203198f, 0.0628687963f, 0.0f, 0.0f, 0.0f,
-    0.0f, 0.0f, 0.0f, -0.00317870732f, -0.0324658342f, 0.0300741754f, 0.0575833097f, -0.0575684831f,
-    0.000871524506f, 0.00281022699f, 0.00920560211f, 0.0184976384f, -0.0291760862f, -0.00719216745f,
-    0.0299141016f, -0.0326419473f, 0.0270412024f, -0.0173498001f, -0.0190990604f, -0.0713633224f,
-    -0.0190167334f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f,
-    0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f,
-    0.0f
+/* Of each class, a row a term (functions of the other axes, then of the
+   first): its number for every sum. */
+static const skylight_sh_real skylight_sh_rows[226] = {
+    0.335605919f, 2.48176026f, -0.100196339f, -0.885888755f, 0.683635235f, 1.80332017f,
+    0.171109587f, -0.778772652f, 0.00668307859f, 0.572662771f, -0.680465996f, -0.3431153f,
+    -0.114591978f, 0.579275966f, 0.0739984587f, -0.306678981f, -0.109156139f, -0.212203473f,
+    -0.140210018f, 0.00196463102f, -0.0487515107f, 0.110092819f, 0.201823011f, -0.00423400663f,
+    0.132652149f, -0.0700664371f, -0.0107418122f, -0.0074555492f, -0.0752880052f, -0.0492782928f,
+    -0.029313812f, -0.0448129475f, 0.00473997276f, -0.0071456302f, -0.0160068348f, 0.0130905667f,
+    -0.0824306533f, 0.180648848f, -0.576504111f, -0.236564249f, -0.683609366f, 0.0308238138f,
+    0.115072228f, -0.0899175331f, -0.137138546f, 0.253376365f, 0.298299521f, -0.136412129f,
+    -0.0848701745f, 0.309105754f, 0.088253893f, 0.02958427f, -0.13588126f, -0.0353792869f,
+    -0.0668912455f, -0.0291926786f, 0.0576372631f, -0.192063183f, 0.0605519153f, 0.000732275366f,
+    0.0250204597f, 0.0045588566f, 0.048620224f, -0.0189912282f, -0.0476851538f, -0.0532532781f,
+    -0.228986785f, 0.374932557f, -0.0857867748f, 0.254434437f, 0.282612979f, -0.157040507f,
+    0.103121042f, 0.0757214054f, 0.11459405f, 0.229828358f, 0.1391882f, 0.168938488f, 0.024257144f,
+    0.0139511311f, 0.0291678868f, -0.0104218982f, -0.0520533212f, -0.0393122546f, -0.00317870732f,
+    0.0575833097f, -0.0575684831f, -0.0291760862f, -0.00719216745f, 0.0299141016f, 0.644730568f,
+    0.0407164171f, -0.827473283f, -0.739131629f, -1.63941622f, -0.332288533f, -0.422089666f,
+    -0.286016524f, -0.346090943f, -0.388817519f, -0.501302302f, 0.411037803f, -0.246776253f,
+    0.0098612234f, 0.325837284f, 0.11379651f, -0.0216603559f, -0.534997284f, 0.295992315f,
+    0.176901296f, -0.225496456f, 0.25041908f, 0.0900957808f, 0.0864783078f, 0.0413550697f,
+    0.0509033352f, -0.0409153216f, 0.0616896264f, 0.0332292654f, 0.0594931841f, -0.175980523f,
+    0.0727861524f, 0.679218411f, -0.380405605f, 0.0784901381f, -0.432893097f, -0.0543769151f,
+    0.234063849f, 0.0307380445f, -0.252243876f, -0.0274623148f, -0.386282116f, -0.0238941032f,
+    -0.0698399097f, -0.0400537252f, -0.0133453645f, 0.16385442f, 0.0258796923f, 0.0110663595f,
+    0.174117789f, 0.0258447398f, 0.0157341808f, 0.0278725345f, -0.108054213f, -0.130353436f,
+    -0.694470286f, 0.0163941365f, 0.175808147f, -0.18745932f, -0.00650094775f, 0.0795061886f,
+    -0.0182672478f, -0.223289698f, -0.0958637297f, -0.0213802028f, 0.0388718769f, 0.000587359304f,
+    0.0345002636f, -0.0845831037f, 0.0463503636f, -0.0831888467f, 0.012868179f, -1.05557287f,
+    0.78973496f, -1.20911455f, 0.577257037f, -0.170365646f, 1.15141737f, 0.640854895f,
+    -0.0953702107f, 0.539735198f, -0.118976995f, 0.617406666f, 0.165115371f, -0.140581742f,
+    -0.0872742534f, -0.0899328738f, -0.413953394f, -0.0866116956f, -0.36868912f, 0.0795135722f,
+    0.0368601158f, -0.230682522f, -0.0229251459f, 0.107126497f, 0.048759345f, 0.988402903f,
+    0.166908592f, -0.0954055786f, -0.191024601f, 0.215126127f, -0.567701817f, 0.17677182f,
+    -0.017827699f, -0.250385225f, -0.23884578f, 0.0720245913f, -0.00939682405f, 0.131460711f,
+    -0.0823968798f, 0.0645129383f, -0.106912106f, 0.0305694249f, 0.102486745f, 0.218447372f,
+    0.370838195f, 0.414977312f, -0.0647580698f, 0.0393163897f, 0.116860859f, -0.120993465f,
+    0.0335706733f, -0.0920581147f, -0.204746425f, 0.245035082f, 0.185001075f, 0.0f, 0.0f, 0.0f,
+    0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f
 };
 static const skylight_sh_real skylight_sh_transfer[81] = {
     0.515697837f, 0.00917973649f, -0.0126950908f, -0.0408978797f, 0.0766708031f, -0.0541526899f,
@@ -158,7 +158,7 @@ static const skylight_sh_real skylight_sh_below[27] = {
    profiles; what one step is worth. */
 #define SKYLIGHT_SH_RUNS 3
 #define SKYLIGHT_SH_RUN_PROFILE { 2, 0, -1 }
-#define SKYLIGHT_SH_CHANNEL_PROFILE { 0, 0, 0 }
+#define SKYLIGHT_SH_CLASS_PROFILE { 0, 0, 0 }
 #define SKYLIGHT_SH_STEP 0.000500000024f
 
 /* Whole numbers as Rice codes. */
@@ -238,13 +238,14 @@ static inline void skylight_sh_others(const skylight_sh_real *x, skylight_sh_rea
     (void)x;
 }
 
-/* cos(m azimuth) and sin(m azimuth) for m < bands, by doubling. */
-static inline void skylight_sh_waves(skylight_sh_real azimuth, skylight_sh_real *cosines,
-    skylight_sh_real *sines)
+/* cos(m azimuth) and sin(m azimuth), m < bands, each times the m-th power
+   of `radius`, by doubling. */
+static inline void skylight_sh_waves(skylight_sh_real azimuth, skylight_sh_real radius,
+    skylight_sh_real *cosines, skylight_sh_real *sines)
 {
     cosines[0] = 1.0f;
-    cosines[1] = cosf(azimuth);
-    sines[1] = sinf(azimuth);
+    cosines[1] = radius * cosf(azimuth);
+    sines[1] = radius * sinf(azimuth);
     cosines[2] = cosines[1] * cosines[1] - sines[1] * sines[1];
     sines[0] = 0.0f;
     sines[2] = sines[1] * cosines[1] + cosines[1] * sines[1];
@@ -298,8 +299,8 @@ static inline void skylight_sh_functions(int axis, double v, double *out, double
     (void)v;
 }
 
-/* What all weights share, then its slopes after the axes. */
-static inline void skylight_sh_scale_slopes(const double *x, double *out)
+/* The factors, then their slopes after each axis. */
+static inline void skylight_sh_factor_slopes(const double *x, double *out)
 {
     const double part_1 = 4.0453000000000001 * x[1] - 4.9710000000000001;
     const double part_2 = 0.44444444444444442 - x[1] * 0.0083333333333333332;

@@ -1,5 +1,5 @@
 #pragma once
-#include "turn.h"
+#include "rows.h"
 
 /* Reads the stream: whole numbers as Rice codes, low bit of each byte first. */
 typedef struct {
@@ -63,7 +63,7 @@ static inline void skylight_sh_next_profile(skylight_sh_bits *b, int profile[32]
     for (i = 0; i < used; ++i) profile[i] = (int)skylight_sh_fixed(b, 5);
 }
 
-/* The length of the next run, by that of the same channel and product at the weight before. */
+/* The length of the next run, by that of the same class and product at the weight before. */
 static inline int skylight_sh_next_length(skylight_sh_bits *b, signed char *length)
 {
     const int found = *length + skylight_sh_rice(b, 0);
@@ -78,30 +78,27 @@ static inline int skylight_sh_next_number(skylight_sh_bits *b, int size)
 }
 
 static const signed char skylight_sh_run_profile[SKYLIGHT_SH_RUNS] = SKYLIGHT_SH_RUN_PROFILE;
-static const signed char skylight_sh_channel_profile[SKYLIGHT_SH_CHANNELS] =
-    SKYLIGHT_SH_CHANNEL_PROFILE;
+static const signed char skylight_sh_class_profile[SKYLIGHT_SH_CLASSES] = SKYLIGHT_SH_CLASS_PROFILE;
 
-/* Reads the stream once, forward, and stores the first `bands` bands. */
-static inline void skylight_sh_combine(const skylight_sh_real *first,
-                                       const skylight_sh_real *others,
-                                       const skylight_sh_real *cosines,
-                                       const skylight_sh_real *sines, int bands,
-                                       float weights[SKYLIGHT_SH_CHANNELS][SKYLIGHT_SH_WEIGHTS])
+/* Reads the stream once, forward: the sums of the first `bands` bands. */
+static inline void skylight_sh_sum_stream(
+    const skylight_sh_real *first, const skylight_sh_real *others, int bands,
+    skylight_sh_real sums[SKYLIGHT_SH_CLASSES][SKYLIGHT_SH_ROOM])
 {
-    signed char lengths[SKYLIGHT_SH_CHANNELS][SKYLIGHT_SH_RUNS];
-    int profile[32], i, l, m, channel, other;
+    signed char lengths[SKYLIGHT_SH_CLASSES][SKYLIGHT_SH_RUNS];
+    int profile[32], i, l, m, c, other, column = 0;
     skylight_sh_bits bits = skylight_sh_open();
     memset(lengths, 0, sizeof lengths);
     memset(profile, 0, sizeof profile);
+    memset(sums, 0, sizeof(skylight_sh_real) * SKYLIGHT_SH_CLASSES * SKYLIGHT_SH_ROOM);
     for (l = 0; l < bands; ++l) {
         skylight_sh_next_profile(&bits, profile);
-        for (m = SKYLIGHT_SH_FIRST_ORDER(l); m <= l; ++m) {
-            for (channel = 0; channel < SKYLIGHT_SH_CHANNELS; ++channel) {
+        for (m = SKYLIGHT_SH_FIRST_ORDER(l); m <= l; ++m, ++column) {
+            for (c = 0; c < SKYLIGHT_SH_CLASSES; ++c) {
                 skylight_sh_real value = 0;
                 for (other = 0; other < SKYLIGHT_SH_RUNS; ++other) {
-                    const int level = skylight_sh_run_profile[other] +
-                                      skylight_sh_channel_profile[channel];
-                    const int length = skylight_sh_next_length(&bits, &lengths[channel][other]);
+                    const int level = skylight_sh_run_profile[other] + skylight_sh_class_profile[c];
+                    const int length = skylight_sh_next_length(&bits, &lengths[c][other]);
                     skylight_sh_real sum = 0;
                     for (i = 0; i < length; ++i) {
                         const int number = skylight_sh_next_number(&bits, profile[i] + level);
@@ -109,32 +106,65 @@ static inline void skylight_sh_combine(const skylight_sh_real *first,
                     }
                     value += sum * others[other];
                 }
-                skylight_sh_place(value * SKYLIGHT_SH_STEP, l, m, cosines, sines,
-                                  weights[channel]);
+                sums[c][column] = value * SKYLIGHT_SH_STEP;
             }
         }
     }
 }
 
-/* The same in double precision, all bands: what derivatives need, whose terms cancel. */
-static inline void skylight_sh_combine_double(
-    const double *first, const double *others, const skylight_sh_real *cosines,
-    const skylight_sh_real *sines, float weights[SKYLIGHT_SH_CHANNELS][SKYLIGHT_SH_WEIGHTS])
+/* Reads the stream once, forward, into rows: of each class one for each product of functions. */
+static inline void skylight_sh_unpack_rows(float *rows)
 {
-    signed char lengths[SKYLIGHT_SH_CHANNELS][SKYLIGHT_SH_RUNS];
-    int profile[32], i, l, m, channel, other;
+    static const unsigned char sizes[SKYLIGHT_SH_CLASSES][SKYLIGHT_SH_OTHERS] = SKYLIGHT_SH_LENGTHS;
+    unsigned short starts[SKYLIGHT_SH_CLASSES][SKYLIGHT_SH_RUNS];
+    signed char lengths[SKYLIGHT_SH_CLASSES][SKYLIGHT_SH_RUNS];
+    int profile[32], i, l, m, c, other, column = 0, row = 0;
+    skylight_sh_bits bits = skylight_sh_open();
+    memset(lengths, 0, sizeof lengths);
+    memset(profile, 0, sizeof profile);
+    for (c = 0; c < SKYLIGHT_SH_CLASSES; ++c) {
+        for (other = 0; other < SKYLIGHT_SH_OTHERS; ++other) {
+            if (other < SKYLIGHT_SH_RUNS) starts[c][other] = (unsigned short)row;
+            row += sizes[c][other];
+        }
+    }
+    for (i = 0; i < SKYLIGHT_SH_UNPACKED; ++i) rows[i] = 0.0f;
+    for (l = 0; l < SKYLIGHT_SH_BANDS; ++l) {
+        skylight_sh_next_profile(&bits, profile);
+        for (m = SKYLIGHT_SH_FIRST_ORDER(l); m <= l; ++m, ++column) {
+            for (c = 0; c < SKYLIGHT_SH_CLASSES; ++c) {
+                for (other = 0; other < SKYLIGHT_SH_RUNS; ++other) {
+                    const int level = skylight_sh_run_profile[other] + skylight_sh_class_profile[c];
+                    const int length = skylight_sh_next_length(&bits, &lengths[c][other]);
+                    float *to = rows + (int)starts[c][other] * SKYLIGHT_SH_WIDTH + column;
+                    for (i = 0; i < length; ++i) {
+                        const int number = skylight_sh_next_number(&bits, profile[i] + level);
+                        *to = (float)number * SKYLIGHT_SH_STEP;
+                        to += SKYLIGHT_SH_WIDTH;
+                    }
+                }
+            }
+        }
+    }
+}
+
+/* The sums in double precision, all bands: what derivatives need, whose terms cancel. */
+static inline void skylight_sh_sum_stream_double(
+    const double *first, const double *others, double sums[SKYLIGHT_SH_CLASSES][SKYLIGHT_SH_WIDTH])
+{
+    signed char lengths[SKYLIGHT_SH_CLASSES][SKYLIGHT_SH_RUNS];
+    int profile[32], i, l, m, c, other, column = 0;
     skylight_sh_bits bits = skylight_sh_open();
     memset(lengths, 0, sizeof lengths);
     memset(profile, 0, sizeof profile);
     for (l = 0; l < SKYLIGHT_SH_BANDS; ++l) {
         skylight_sh_next_profile(&bits, profile);
-        for (m = SKYLIGHT_SH_FIRST_ORDER(l); m <= l; ++m) {
-            for (channel = 0; channel < SKYLIGHT_SH_CHANNELS; ++channel) {
+        for (m = SKYLIGHT_SH_FIRST_ORDER(l); m <= l; ++m, ++column) {
+            for (c = 0; c < SKYLIGHT_SH_CLASSES; ++c) {
                 double value = 0.0;
                 for (other = 0; other < SKYLIGHT_SH_RUNS; ++other) {
-                    const int level = skylight_sh_run_profile[other] +
-                                      skylight_sh_channel_profile[channel];
-                    const int length = skylight_sh_next_length(&bits, &lengths[channel][other]);
+                    const int level = skylight_sh_run_profile[other] + skylight_sh_class_profile[c];
+                    const int length = skylight_sh_next_length(&bits, &lengths[c][other]);
                     double sum = 0.0;
                     for (i = 0; i < length; ++i) {
                         const int number = skylight_sh_next_number(&bits, profile[i] + level);
@@ -142,8 +172,7 @@ static inline void skylight_sh_combine_double(
                     }
                     value += sum * others[other];
                 }
-                skylight_sh_place((skylight_sh_real)(value * (double)SKYLIGHT_SH_STEP), l, m,
-                                  cosines, sines, weights[channel]);
+                sums[c][column] = value * (double)SKYLIGHT_SH_STEP;
             }
         }
     }
