@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from skylight_sh.fit.axis import Axis
 from skylight_sh.light.preetham import Preetham
+from skylight_sh.light.protocol import Prefactor
 from skylight_sh.runtime import Specification, Surroundings, Table
 from skylight_sh.table.prefactor import closed_form, reciprocal
 from skylight_sh.table.row_layout import stored
@@ -23,6 +24,10 @@ _TURBIDITY = Axis("turbidity", 2.5, 6.0, map="log", point=0.5)
 _HOUR = Axis("hour", -0.1, 1.7, map="cbrt", point=1.7)
 _ALBEDO = Axis("albedo", 0.0, 1.0)
 _RGB = ("red", "green", "blue")
+# Two channels of three classes.
+_TWO_OF_THREE = Prefactor(
+    "two_of_three", ("turbidity",), (0.5, 2.0), lambda tau, k: [k[0] * tau, 1 / tau, -1.0, k[1] + tau, tau * tau, k[0] - tau]
+)
 
 
 def flavours() -> dict[str, Table]:
@@ -31,8 +36,12 @@ def flavours() -> dict[str, Table]:
     two, three = (_ZENITH, _TURBIDITY), (_ZENITH, _TURBIDITY, _ALBEDO)
     specified = tuple(axis.specified for axis in two)
     closed = closed_form(_SKY.prefactor, specified) if _SKY.prefactor else None
+    mixed = closed_form(_SKY.classes, specified) if _SKY.classes else None
     found = reciprocal(np.array([[2.0, 0.3], [0.4, 0.1], [0.1, 0.0]], dtype=np.float32), specified)
+    two_of_three = closed_form(_TWO_OF_THREE, tuple(axis.specified for axis in three))
     sinking: dict[str, Any] = {"twilight": TWILIGHT}
+    peaked: dict[str, Any] = {"peak_axis": _ZENITH.name, "parity": True}
+    even = (Axis(_ZENITH.name, 0.0, np.pi / 2, "rad", map="even", point=5.0), _TURBIDITY)
     made = {
         "rows": _rows(rng, specification(two, _RGB, True, "chebyshev", closed), (9, 5), 7, "float32"),
         "packed": _packed(rng, specification(two, _RGB, True, "chebyshev", closed), (9, 5), 7),
@@ -45,6 +54,15 @@ def flavours() -> dict[str, Table]:
         "twilight-packed": _packed(rng, specification(two, _RGB, True, "chebyshev", None, **sinking), (5, 2), 3),
         "surrounded": replace(
             _rows(rng, specification(two, _RGB, True, "chebyshev", closed), (5, 2), 3, "float32"), surroundings=_around(rng)
+        ),
+        "classes": _rows(rng, specification(even, _RGB, True, "chebyshev", mixed, **peaked), (6, 3), 7, "float32"),
+        "classes-packed": _packed(rng, specification(even, _RGB, True, "chebyshev", mixed, **peaked, **sinking), (5, 2), 4),
+        "classes-unmirrored": _rows(
+            rng,
+            specification(three, _RGB[:2], False, "chebyshev", two_of_three, **peaked),
+            (5, 2, 1),
+            4,
+            "float64",
         ),
         "unmirrored-packed": _packed(rng, specification((_TURBIDITY,), _RGB, False, "fourier", None), (4,), 3),
     }
@@ -61,16 +79,18 @@ def _around(rng: np.random.Generator) -> Surroundings:
 
 
 def _dense(rng: np.random.Generator, spec: Specification, degrees: tuple[int, ...], bands: int) -> NDArray[np.float64]:
-    """Return coefficients ``(channels, count, d_1+1, ..)`` that fall off with the degree, as those of smooth lights do."""
+    """Return coefficients ``(classes, count, d_1+1, ..)`` that fall off with the degree, as those of smooth lights do."""
     sizes = tuple(d + 1 for d in degrees)
-    dense = rng.normal(size=(len(spec.channels), stored(spec, bands).count, *sizes))
+    dense = rng.normal(size=(spec.classes, stored(spec, bands).count, *sizes))
     return np.asarray(dense * 2.0 ** -np.sum(np.indices(sizes), axis=0))
 
 
 def _rows(rng: np.random.Generator, spec: Specification, degrees: tuple[int, ...], bands: int, dtype: str) -> Table:
     dense = _dense(rng, spec, degrees, bands)
-    lengths = degrees[0] + 1 - np.sum(np.indices(dense.shape[3:]), axis=0) if len(degrees) > 1 else np.array(degrees[0] + 1)
-    return fast(spec, dense, np.asarray(lengths), bands, dtype)
+    # Every class keeps a term less than the one before.
+    fewer = np.arange(spec.classes).reshape(-1, *(1,) * (len(degrees) - 1))
+    lengths = degrees[0] + 1 - fewer - np.sum(np.indices(dense.shape[3:]), axis=0)
+    return fast(spec, dense, np.maximum(lengths, 0), bands, dtype)
 
 
 def _packed(rng: np.random.Generator, spec: Specification, degrees: tuple[int, ...], bands: int) -> Table:
