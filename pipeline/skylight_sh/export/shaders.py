@@ -101,7 +101,7 @@ def write(table: Table, facts: Facts, language: str, prefix: str = "skylight_sh"
 
 def _vectors(body: ClassRows) -> int:
     """Return how many vectors of four hold a row; the last is filled up."""
-    return -(-body.rows.shape[1] // 4)
+    return int(-(-body.rows.shape[1] // 4))
 
 
 def _expansion(dialect: Dialect, colour: str, vector: str, factors: Sequence[float]) -> list[str]:
