@@ -10,12 +10,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 from c_programs import FACTS
-from conftest import ROOT, SMALL, run_quietly
+from conftest import ROOT, SMALL, run_quietly, with_spec
 from skylight_sh import runtime, sphere
 from skylight_sh.config import load
 from skylight_sh.export import javascript, javascript_types, vectors
 from skylight_sh.studies.stability.flavours import flavours
-from test_export import with_spec
+from test_shaders import MADE, made
 
 PARTS = ROOT / "pipeline" / "skylight_sh" / "export" / "evaluators" / "javascript"
 REFERENCE = ROOT / "reports" / "reference" / "export"
@@ -25,7 +25,7 @@ TABLES = {
     **FLAVOURS,
     "fixed": with_spec(FLAVOURS["rows"], azimuth=0.7),
     "windowed": with_spec(FLAVOURS["rows"], windowed=True),
-    "irradiance": with_spec(FLAVOURS["one-axis"]),
+    "two-of-three": made(*MADE["classes-all-orders"]),
 }
 # Holds a module against its vectors, cut to every number of bands too, and prints how many failed and the largest deviation.
 PROGRAM = """

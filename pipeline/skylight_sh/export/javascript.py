@@ -22,7 +22,7 @@ from skylight_sh.export.c_data import functions_of
 from skylight_sh.export.c_header import Facts
 from skylight_sh.export.evaluators import COLUMNS, filled, part
 from skylight_sh.formula import printers
-from skylight_sh.formula.azimuth import TURN, waves_of_angle, waves_with_powers
+from skylight_sh.formula.azimuth import TURN, waves_of_angle, stretched_waves
 from skylight_sh.formula.bases import BASES
 from skylight_sh.formula.harmonics import HORIZONTAL
 from skylight_sh.formula.printers import JAVASCRIPT, Language
@@ -213,7 +213,7 @@ def _formulas(table: Table) -> Iterator[str]:
         yield "// cos(m azimuth) and sin(m azimuth) times sin^m of the peak's zenith angle, by doubling."
         peak = [axis.name for axis in table.axes].index(str(table.spec.peak_axis))
         lines = [f"const sine = Math.sin(x[{peak}]);"]
-        lines += printers.assignments(waves_with_powers(table.bands), language, ["azimuth", "sine"], targets)
+        lines += printers.assignments(stretched_waves(table.bands), language, ["azimuth", "sine"], targets)
     else:
         yield "// cos(m azimuth) and sin(m azimuth), by doubling."
         lines = printers.assignments(waves_of_angle(table.bands), language, ["azimuth"], targets)

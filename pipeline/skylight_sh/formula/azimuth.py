@@ -32,17 +32,17 @@ def waves_of_angle(bands: int) -> Program:
     return trace(lambda azimuth: [wave for part in waves(cos(azimuth), sin(azimuth), bands) for wave in part], ["azimuth"])
 
 
-def waves_with_powers(bands: int) -> Program:
-    """Return the program of an azimuth and a sine: ``waves_of_angle``, those of order m times the sine to the power m.
+def stretched_waves(bands: int) -> Program:
+    """Return the program of an azimuth and a radius: all cosines, then all sines, each times the m-th power of the radius.
 
-    What a weight of order m is multiplied with where sums are the weights over sin^m of the peak's zenith angle.
-
-    >>> [round(float(wave), 4) for wave in waves_with_powers(3).run([1.0, 0.5])]
-    [1.0, 0.2702, -0.104, 0.0, 0.4207, 0.2273]
+    >>> [round(float(wave), 4) for wave in stretched_waves(2).run([1.0, 0.5])]
+    [1.0, 0.2702, 0.0, 0.4207]
     """
     return trace(
-        lambda azimuth, sine: [w for part in waves(sine * cos(azimuth), sine * sin(azimuth), bands) for w in part],
-        ["azimuth", "sine"],
+        lambda azimuth, radius: [
+            wave for part in waves(radius * cos(azimuth), radius * sin(azimuth), bands) for wave in part
+        ],
+        ["azimuth", "radius"],
     )
 
 

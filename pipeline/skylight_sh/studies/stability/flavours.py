@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 
 from skylight_sh.fit.axis import Axis
 from skylight_sh.light.preetham import Preetham
-from skylight_sh.light.protocol import Prefactor
 from skylight_sh.runtime import Specification, Surroundings, Table
 from skylight_sh.table.prefactor import closed_form, reciprocal
 from skylight_sh.table.row_layout import stored
@@ -24,10 +23,6 @@ _TURBIDITY = Axis("turbidity", 2.5, 6.0, map="log", point=0.5)
 _HOUR = Axis("hour", -0.1, 1.7, map="cbrt", point=1.7)
 _ALBEDO = Axis("albedo", 0.0, 1.0)
 _RGB = ("red", "green", "blue")
-# Two channels of three classes.
-_TWO_OF_THREE = Prefactor(
-    "two_of_three", ("turbidity",), (0.5, 2.0), lambda tau, k: [k[0] * tau, 1 / tau, -1.0, k[1] + tau, tau * tau, k[0] - tau]
-)
 
 
 def flavours() -> dict[str, Table]:
@@ -36,12 +31,10 @@ def flavours() -> dict[str, Table]:
     two, three = (_ZENITH, _TURBIDITY), (_ZENITH, _TURBIDITY, _ALBEDO)
     specified = tuple(axis.specified for axis in two)
     closed = closed_form(_SKY.prefactor, specified) if _SKY.prefactor else None
-    mixed = closed_form(_SKY.classes, specified) if _SKY.classes else None
+    classes = closed_form(_SKY.classes, specified) if _SKY.classes else None
+    even: dict[str, Any] = {"peak_axis": _ZENITH.name, "parity": True}
     found = reciprocal(np.array([[2.0, 0.3], [0.4, 0.1], [0.1, 0.0]], dtype=np.float32), specified)
-    two_of_three = closed_form(_TWO_OF_THREE, tuple(axis.specified for axis in three))
     sinking: dict[str, Any] = {"twilight": TWILIGHT}
-    peaked: dict[str, Any] = {"peak_axis": _ZENITH.name, "parity": True}
-    even = (Axis(_ZENITH.name, 0.0, np.pi / 2, "rad", map="even", point=5.0), _TURBIDITY)
     made = {
         "rows": _rows(rng, specification(two, _RGB, True, "chebyshev", closed), (9, 5), 7, "float32"),
         "packed": _packed(rng, specification(two, _RGB, True, "chebyshev", closed), (9, 5), 7),
@@ -55,16 +48,20 @@ def flavours() -> dict[str, Table]:
         "surrounded": replace(
             _rows(rng, specification(two, _RGB, True, "chebyshev", closed), (5, 2), 3, "float32"), surroundings=_around(rng)
         ),
-        "classes": _rows(rng, specification(even, _RGB, True, "chebyshev", mixed, **peaked), (6, 3), 7, "float32"),
-        "classes-packed": _packed(rng, specification(even, _RGB, True, "chebyshev", mixed, **peaked, **sinking), (5, 2), 4),
-        "classes-unmirrored": _rows(
-            rng,
-            specification(three, _RGB[:2], False, "chebyshev", two_of_three, **peaked),
-            (5, 2, 1),
-            4,
-            "float64",
-        ),
         "unmirrored-packed": _packed(rng, specification((_TURBIDITY,), _RGB, False, "fourier", None), (4,), 3),
+        "classes": _rows(rng, specification(two, _RGB, True, "chebyshev", classes, **even), (9, 5), 7, "float32"),
+        "classes-packed": _packed(rng, specification(two, _RGB, True, "chebyshev", classes, **even), (6, 3), 4),
+        "classes-float64": _rows(
+            rng, specification(two, _RGB, True, "chebyshev", classes, **even, **sinking), (5, 2), 5, "float64"
+        ),
+        "classes-surrounded": replace(
+            _rows(rng, specification(two, _RGB, False, "chebyshev", classes, **even), (5, 2), 3, "float32"),
+            surroundings=_around(rng),
+        ),
+        "parity": _rows(rng, specification(two, ("luminance",), True, "chebyshev", closed, **even), (5, 2), 6, "float32"),
+        "irradiance": _rows(
+            rng, specification(two, _RGB, True, "chebyshev", classes, **even, quantity="irradiance"), (5, 2), 7, "float32"
+        ),
     }
     return {name: _with_sun(table) if table.spec.axes[0].name == _ZENITH.name else table for name, table in made.items()}
 
@@ -87,10 +84,10 @@ def _dense(rng: np.random.Generator, spec: Specification, degrees: tuple[int, ..
 
 def _rows(rng: np.random.Generator, spec: Specification, degrees: tuple[int, ...], bands: int, dtype: str) -> Table:
     dense = _dense(rng, spec, degrees, bands)
-    # Every class keeps a term less than the one before.
-    fewer = np.arange(spec.classes).reshape(-1, *(1,) * (len(degrees) - 1))
-    lengths = degrees[0] + 1 - fewer - np.sum(np.indices(dense.shape[3:]), axis=0)
-    return fast(spec, dense, np.maximum(lengths, 0), bands, dtype)
+    # Each class keeps fewer terms than the one before.
+    rest = np.sum(np.indices(dense.shape[3:]), axis=0) if len(degrees) > 1 else np.array(0)
+    lengths = np.stack([np.maximum(degrees[0] + 1 - rest - k, 0) for k in range(len(dense))])
+    return fast(spec, dense, lengths, bands, dtype)
 
 
 def _packed(rng: np.random.Generator, spec: Specification, degrees: tuple[int, ...], bands: int) -> Table:
