@@ -29,6 +29,7 @@ from skylight_sh.formula.printers import JAVASCRIPT, Language
 from skylight_sh.formula.window import SINC
 from skylight_sh.runtime import ClassRows, Packed, Program, Rows, Table
 from skylight_sh.sphere import lower_hemisphere
+from skylight_sh.table.rows import by_class
 from skylight_sh.table.surroundings import PARTS
 
 # What a caller needs of the parts; the rest is the module's own.
@@ -37,6 +38,7 @@ _PUBLIC = "const OK|function (?:applyExposure|applyGround|applyWindow|unpack)"
 
 def write(table: Table, facts: Facts) -> str:
     """Return the text of the module of ``table``."""
+    table = by_class(table)
     names = ["inputs", "rows" if isinstance(table.body, ClassRows) else "packed", "evaluate"]
     names += ["ground"] if takes_ground(table) else []
     names += [] if table.spec.windowed else ["window"]
@@ -150,15 +152,13 @@ def _terms(table: Table) -> Iterator[str]:
     carried = np.unique(np.sqrt(table.places)[_columns(table) >= 0].astype(int))
     yield "// The degrees that carry anything; their sums follow one another."
     yield f"const degrees = {_json(carried.tolist())}, width = {int(_columns(table).max()) + 1};"
-    if isinstance(body, Packed):
+    if not isinstance(body, ClassRows):
         yield from _stream(body)
-    elif isinstance(body, ClassRows):
-        yield "// Of each class: how many rows each product of the other axes' functions has; a row a term."
-        yield from _array("const lengths = ", "Uint8Array", body.lengths.ravel(), ");")
-        kind = "Float64Array" if body.dtype == np.float64 else "Float32Array"
-        yield from _array("const rows = ", kind, body.rows.ravel(), ");")
-    else:
-        raise TypeError("A table of an earlier version is not exported. Run the fit again.")
+        return
+    yield "// Of each class: how many rows each product of the other axes' functions has; a row a term."
+    yield from _array("const lengths = ", "Uint8Array", body.lengths.ravel(), ");")
+    kind = "Float64Array" if body.dtype == np.float64 else "Float32Array"
+    yield from _array("const rows = ", kind, body.rows.ravel(), ");")
 
 
 def _columns(table: Table) -> NDArray[np.integer]:

@@ -22,8 +22,9 @@ from skylight_sh.formula.bases import BASES
 from skylight_sh.formula.expression import trace
 from skylight_sh.formula.printers import Language
 from skylight_sh.formula.printers import single as number
-from skylight_sh.runtime import SLACK, ClassRows, Table
+from skylight_sh.runtime import SLACK, ClassRows, Packed, Table
 from skylight_sh.table import twilight
+from skylight_sh.table.rows import by_class
 from skylight_sh.table.size import bytes_of
 
 _WIDTH = 112
@@ -34,7 +35,7 @@ _QUARTER = {"high": "1.5703125", "low": number(math.pi / 2 - 1.5703125), "each":
 
 def obstacle(table: Table) -> str | None:
     """Say why ``table`` cannot become a shader, or nothing where it can."""
-    if not isinstance(table.body, ClassRows):
+    if isinstance(table.body, Packed):
         return f"its layout is {table.body.kind}; shaders evaluate tables of layout rows"
     if table.dtype != np.float32:
         return f"its numbers are {table.dtype}; shaders work in float32"
@@ -53,7 +54,7 @@ def write(table: Table, facts: Facts, language: str, prefix: str = "skylight_sh"
     Weights are scalars for one channel, else vectors of the channels. Raises ValueError for a table with an ``obstacle``,
     a prefix that the languages reserve, or a prefactor whose C is more than arithmetic.
     """
-    why = obstacle(table)
+    why, table = obstacle(table), by_class(table)
     if why or not isinstance(table.body, ClassRows):
         raise ValueError(f"This table cannot become a shader: {why}.")
     prefixes.check(prefix)

@@ -7,11 +7,12 @@ index.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
-from skylight_sh.runtime import ClassRows, kept_terms
+from skylight_sh.runtime import ClassRows, Rows, Table, kept_terms
 
 Floats = NDArray[np.floating]
 Lengths = NDArray[np.integer]
@@ -25,6 +26,17 @@ def arrange(dense: Floats, lengths: Lengths, columns: NDArray[np.int16], dtype: 
         for own, length in zip(dense, lengths, strict=True)
     ]
     return ClassRows(lengths.astype(np.uint8), np.concatenate(rows), columns)
+
+
+def by_class(table: Table) -> Table:
+    """Return ``table`` with the rows of each class by themselves, where an earlier version wrote one row for all channels."""
+    body = table.body
+    if not isinstance(body, Rows):
+        return table
+    used = body.columns[0] >= 0
+    columns = np.where(used, np.cumsum(used) - 1, -1).astype(np.int16)
+    rows = np.concatenate([body.rows[:, own[used]] for own in body.columns])
+    return replace(table, body=ClassRows(np.tile(body.lengths, (len(body.columns), 1)), rows, columns))
 
 
 def used_degrees(lengths: Lengths, degrees: Sequence[int]) -> tuple[int, ...]:
