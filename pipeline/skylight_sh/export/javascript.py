@@ -22,7 +22,7 @@ from skylight_sh.export.c_data import functions_of
 from skylight_sh.export.c_header import Facts
 from skylight_sh.export.evaluators import COLUMNS, filled, part
 from skylight_sh.formula import printers
-from skylight_sh.formula.azimuth import TURN, waves_of_angle, stretched_waves
+from skylight_sh.formula.azimuth import TURN, stretched_waves, waves_of_angle
 from skylight_sh.formula.bases import BASES
 from skylight_sh.formula.harmonics import HORIZONTAL
 from skylight_sh.formula.printers import JAVASCRIPT, Language
