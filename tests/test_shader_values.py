@@ -115,7 +115,7 @@ def test_bases_are_those_of_numpy(tmp_path: Path, name: str) -> None:
     }[name]
     numbers = 1.5 ** -np.arange(9)
     frame = specification((Axis("haze", -1.0, 1.0),), ("one",), True, name, None)
-    table = fast(frame, numbers[np.newaxis, np.newaxis], np.array(9), 1, "float32")
+    table = fast(frame, numbers[np.newaxis, np.newaxis], np.array([9]), 1, "float32")
     inputs = np.stack([u, np.zeros_like(u)], axis=-1).astype(np.float32)
     for language in HEADS:
         got = image(shader_tools.program(table, language, inputs, directions()), tmp_path)
@@ -128,7 +128,7 @@ def test_axes_of_any_usable_name_compile(tmp_path: Path) -> None:
 
     def text(name: str, prefix: str = "skylight_sh") -> str:
         spec = specification((hour, Axis(name, 0.5, 1.0, map="cbrt", point=2.0)), ("one",), True, "chebyshev")
-        return shaders.write(fast(spec, np.ones((1, 4, 3, 2)), np.array([3, 2]), 2, "float32"), FACTS, "glsl", prefix)
+        return shaders.write(fast(spec, np.ones((1, 4, 3, 2)), np.array([[3, 2]]), 2, "float32"), FACTS, "glsl", prefix)
 
     words = sorted(set(re.findall(r"[a-z][a-z0-9_]+", re.sub(r"//[^\n]*|#[^\n]*", "", text("haze")))))
     allowed = [word for word in words if usable(word) and not word.startswith("skylight")]

@@ -33,24 +33,36 @@ AXES = (
     Axis("albedo", -1.0, 2.0, map="log", point=-2.0),
     Axis("haze", 0.0, 3.0),
 )
-# Each: axes, channels, bands, whether mirrored, basis, whether over a polynomial.
+# A matrix from three classes to two channels.
+MIXED = Prefactor(
+    "mixed",
+    ("albedo", "haze"),
+    (0.5, 2.0),
+    lambda v, w, k: [k[0] * w, v * v, -1.0, k[1] + label(v * w, "both"), v - w, 1.0 / (w + k[1])],
+)
+# Each: axes, channels, bands, whether mirrored, basis, what sums are multiplied with, whether with parity.
 MADE = {
-    "one-band": (1, 1, 1, True, "chebyshev", False),
-    "all-orders": (1, 1, 3, False, "legendre", False),
-    "three-axes": (3, 2, 5, True, "fourier", False),
-    "over-polynomial": (2, 3, 3, True, "chebyshev", True),
-    "monomials": (2, 3, 9, False, "monomial", False),
+    "one-band": (1, 1, 1, True, "chebyshev", "", False),
+    "all-orders": (1, 1, 3, False, "legendre", "", True),
+    "three-axes": (3, 2, 5, True, "fourier", "", False),
+    "over-polynomial": (2, 3, 3, True, "chebyshev", "polynomial", False),
+    "monomials": (2, 3, 9, False, "monomial", "", False),
+    "classes": (3, 2, 4, True, "chebyshev", "matrix", True),
+    "classes-all-orders": (3, 2, 3, False, "legendre", "matrix", True),
 }
 
 
-def made(axes: int, channels: int, bands: int, mirrored: bool, basis: str, over: bool) -> Table:
+def made(axes: int, channels: int, bands: int, mirrored: bool, basis: str, over: str, parity: bool) -> Table:
     rng = np.random.default_rng(axes)
     degrees = (5, 3, 2)[:axes]
+    specified = tuple(axis.specified for axis in AXES[:axes])
     numbers = np.array([2.0, 0.3, -0.1]).reshape(3, *(1,) * (axes - 1)).astype(np.float32)
-    scale = reciprocal(numbers, [axis.specified for axis in AXES[:axes]]) if over else None
-    spec = specification(AXES[:axes], ("a", "b", "c")[:channels], mirrored, basis, scale)
-    dense = rng.normal(size=(channels, sphere.Harmonics(bands, mirrored).count, *(d + 1 for d in degrees)))
-    lengths = rng.integers(0, degrees[0] + 2, size=dense.shape[3:])
+    scales = {"polynomial": lambda: reciprocal(numbers, specified), "matrix": lambda: closed_form(MIXED, specified)}
+    scale = scales[over]() if over else None
+    names = ("a", "b", "c")[:channels]
+    spec = specification(AXES[:axes], names, mirrored, basis, scale, peak_axis="sun_zenith", parity=parity)
+    dense = rng.normal(size=(spec.classes, sphere.Harmonics(bands, mirrored).count, *(d + 1 for d in degrees)))
+    lengths = rng.integers(0, degrees[0] + 2, size=(spec.classes, *dense.shape[3:]))
     lengths.flat[0] = 2
     return fast(spec, dense, lengths, bands, "float32")
 
@@ -149,7 +161,7 @@ def test_a_prefactor_becomes_a_dialect() -> None:
 
     axis = Axis("haze", 1.0, 3.0)
     scale = closed_form(Prefactor("made_up", ("haze",), (-0.5, 3.0, 1e-6), formula), (axis.specified,))
-    table = fast(specification((axis,), ("one",), True, "chebyshev", scale), np.ones((1, 1, 2)), np.array(2), 1, "float32")
+    table = fast(specification((axis,), ("one",), True, "chebyshev", scale), np.ones((1, 1, 2)), np.array([2]), 1, "float32")
     for language, declared in {"glsl": "float {}", "hlsl": "const float {}", "wgsl": "let {}: f32"}.items():
         text = shaders.write(table, shader_tools.FACTS, language)
         lines = [

@@ -7,51 +7,69 @@ programs. It computes in double precision and stores float32.
 from __future__ import annotations
 
 import json
+import math
 import re
 import textwrap
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from skylight_sh import __version__
 from skylight_sh.export import c_comment
-from skylight_sh.export.c_data import functions_of, room
+from skylight_sh.export.c_data import functions_of
 from skylight_sh.export.c_header import Facts
 from skylight_sh.export.evaluators import COLUMNS, filled, part
 from skylight_sh.formula import printers
-from skylight_sh.formula.azimuth import TURN, waves_of_angle
+from skylight_sh.formula.azimuth import TURN, stretched_waves, waves_of_angle
 from skylight_sh.formula.bases import BASES
+from skylight_sh.formula.harmonics import HORIZONTAL
 from skylight_sh.formula.printers import JAVASCRIPT, Language
 from skylight_sh.formula.window import SINC
-from skylight_sh.runtime import Packed, Program, Rows, Table
+from skylight_sh.runtime import ClassRows, Packed, Program, Rows, Table
+from skylight_sh.sphere import lower_hemisphere
+from skylight_sh.table.rows import by_class
 from skylight_sh.table.surroundings import PARTS
+
+# What a caller needs of the parts; the rest is the module's own.
+_PUBLIC = "const OK|function (?:applyExposure|applyGround|applyWindow|unpack)"
 
 
 def write(table: Table, facts: Facts) -> str:
     """Return the text of the module of ``table``."""
-    names = ["inputs", "rows" if isinstance(table.body, Rows) else "packed", "evaluate"]
-    # What the parts give each other is the module's own, but for what a caller needs.
-    parts = [
-        re.sub(r"^export (?!const OK|function applyWindow)", "", part(f"javascript/{n}.mjs", ()), flags=re.M) for n in names
-    ]
-    if table.spec.windowed:
-        parts[-1] = parts[-1][: parts[-1].index("// Tames the ringing")]
+    table = by_class(table)
+    names = ["inputs", "rows" if isinstance(table.body, ClassRows) else "packed", "evaluate"]
+    names += ["ground"] if takes_ground(table) else []
+    names += [] if table.spec.windowed else ["window"]
+    parts = [re.sub(rf"^export (?!{_PUBLIC})", "", part(f"javascript/{name}.mjs", ()), flags=re.M) for name in names]
     lines = [*_comment(table, facts), *_data(table), "", *_formulas(table), *parts, *_wrappers(table)]
     return re.sub(r"\n{3,}", "\n\n", "\n".join(lines)).rstrip() + "\n"
+
+
+def takes_ground(table: Table) -> bool:
+    """Say whether an even ground can be added to a table's weights."""
+    black = table.spec.ground == "black" and not table.surroundings
+    return black and not table.spec.windowed and table.spec.quantity == "radiance" and table.bands > 1
+
+
+def inputs_of(table: Table) -> list[str]:
+    """Return the names of the inputs in order: the first axis, the azimuth unless the table fixes it, the other axes."""
+    first, *rest = (axis.name for axis in table.axes)
+    return [first, *([] if table.spec.azimuth is not None else ["sun_azimuth"]), *rest]
 
 
 def example(table: Table, twin: Table) -> str:
     """Return ``evaluators/javascript/example.mjs``: what the parts read of ``table``, and of its packed ``twin``."""
     lines = ["// What an export writes of one table, and a packed table's stream, for the parts as they stand."]
-    lines += [*_data(table), *_packed(twin.body), "", *_formulas(table)]
+    lines += [*_data(table), *_stream(twin.body), "", *_formulas(table)]
     text = "\n".join(lines).rstrip() + "\n"
     return re.sub(r"^(const|function) ", r"export \1 ", text, flags=re.M)
 
 
 def _comment(table: Table, facts: Facts) -> Iterator[str]:
     _, notes = c_comment.about(table)
-    inputs = _inputs(table)
+    inputs = inputs_of(table)
     middle = {axis.name: f"{(axis.low + axis.high) / 2:.3g}" for axis in table.axes}
     told = [
         f"{facts.title}: spherical-harmonics weights, evaluated from polynomials.",
@@ -63,8 +81,8 @@ def _comment(table: Table, facts: Facts) -> Iterator[str]:
         '  import { weights, status } from "./skylight_sh.mjs";',
         f"  const w = weights({', '.join(middle.get(name, '0') for name in inputs)});",
         "w is a Float32Array of CHANNELS.length * WEIGHTS numbers, channel by channel; the last argument, if given, is "
-        "filled instead of a new one. weightsBands takes the number of bands before it, status returns OK, CLAMPED or "
-        "INVALID for inputs.",
+        "filled instead of a new one. weightsBands takes the number of bands before it, weightsBatch an array an input; "
+        "status returns OK, CLAMPED or INVALID for inputs. Types stand in skylight_sh.d.mts.",
         "",
         "Inputs",
         *(f"  {line}" for line in c_comment.input_lines(table)),
@@ -79,12 +97,12 @@ def _comment(table: Table, facts: Facts) -> Iterator[str]:
     ]
     for line in told:
         indent = " " * (len(line) - len(line.lstrip()))
-        for one in textwrap.wrap(_plain(line), COLUMNS - 3, subsequent_indent=indent, break_on_hyphens=False) or [""]:
+        for one in textwrap.wrap(plain(line), COLUMNS - 3, subsequent_indent=indent, break_on_hyphens=False) or [""]:
             yield f"// {one}".rstrip()
 
 
-def _plain(line: str) -> str:
-    """Keep text inside its line: no break that a language knows."""
+def plain(line: str) -> str:
+    """Keep text inside its line: no break that the language knows."""
     return re.sub(r"[\r\n\u2028\u2029]", " ", line)
 
 
@@ -103,8 +121,10 @@ def _data(table: Table) -> Iterator[str]:
     ]
     yield from _objects("export const AXES = ", ranges)
     yield f"const real = {'Math.fround' if table.dtype == np.float32 else '(value) => value'};"
-    yield f"const channelCount = {len(table.channels)}, firstCount = {room(table.degrees[0])}, otherCount = {rest};"
-    yield f"const mirrored = {_json(spec.mirrored)}, windowed = {_json(spec.windowed)};"
+    yield f"const channelCount = {len(table.channels)}, classCount = {spec.classes};"
+    yield f"const firstCount = {table.degrees[0] + 1}, otherCount = {rest};"
+    mixed = spec.scale is not None and len(spec.scale.program.outputs) > 1
+    yield f"const mirrored = {_json(spec.mirrored)}, windowed = {_json(spec.windowed)}, mixed = {_json(mixed)};"
     yield "// Of each axis: the first and last number that counts as inside, and the table's range."
     axes = [
         {"first": float(a), "last": float(b), "low": axis.low, "high": axis.high}
@@ -120,20 +140,32 @@ def _data(table: Table) -> Iterator[str]:
         yield "};"
     else:
         yield "const surroundings = null;"
-    yield from _rows(table.body) if isinstance(table.body, Rows) else _packed(table.body)
+    if takes_ground(table):
+        yield "// What an even ground reflects of the weight l = 1, m = 0, and its own zonal weights."
+        yield f"const reflected = {printers.double(HORIZONTAL / math.pi)};"
+        yield from _array("const lowerHalf = ", "Float64Array", lower_hemisphere(table.bands), ");")
+    yield from _terms(table)
 
 
-def _rows(body: Rows) -> Iterator[str]:
-    yield "// A row a term: its coefficient for every output; how many rows each product of the other axes' functions has."
-    yield f"const width = {body.rows.shape[1]};"
-    yield from _array("const lengths = ", "Uint8Array", body.lengths, ");")
+def _terms(table: Table) -> Iterator[str]:
+    body = table.body
+    carried = np.unique(np.sqrt(table.places)[_columns(table) >= 0].astype(int))
+    yield "// The degrees that carry anything; their sums follow one another."
+    yield f"const degrees = {_json(carried.tolist())}, width = {int(_columns(table).max()) + 1};"
+    if not isinstance(body, ClassRows):
+        yield from _stream(body)
+        return
+    yield "// Of each class: how many rows each product of the other axes' functions has; a row a term."
+    yield from _array("const lengths = ", "Uint8Array", body.lengths.ravel(), ");")
     kind = "Float64Array" if body.dtype == np.float64 else "Float32Array"
     yield from _array("const rows = ", kind, body.rows.ravel(), ");")
-    yield "// Each weight's output, channel by channel; -1 where its degree carries nothing."
-    yield from _array("const columns = ", "Int16Array", body.columns.ravel(), ");")
 
 
-def _packed(body: Rows | Packed) -> Iterator[str]:
+def _columns(table: Table) -> NDArray[np.integer]:
+    return table.body.columns if isinstance(table.body, ClassRows) else np.arange(table.places.size)
+
+
+def _stream(body: ClassRows | Packed | Rows) -> Iterator[str]:
     if not isinstance(body, Packed):
         raise TypeError(f"A table of layout {body.kind!r} has no stream.")
     yield "// Runs, one a product of the other axes' functions; profiles; what one step is worth; Rice codes."
@@ -170,18 +202,22 @@ def _json(value: object) -> str:
 def _formulas(table: Table) -> Iterator[str]:
     language = _language(table)
     x = [f"x[{axis}]" for axis in range(len(table.axes))]
-    yield "// What all weights share."
-    yield from _function(
-        "scaleOf(x)", _returning(table.spec.scale.program, language, x) if table.spec.scale else ["return 1;"]
-    )
+    yield "// What all weights share, or what each channel in turn takes of each class."
+    yield from _function("factorsOf(x, out)", _factors(table, language, x))
     yield f"// The functions of {table.axes[0].name} (change of variable: {table.axes[0].map})."
     yield from _function("firstFunctions(x, out)", _assigned(table, 0, "out"))
     yield "// All products of the other axes' functions, the last axis's fastest."
     yield from _function("otherFunctions(x, out)", _others(table))
-    yield "// cos(m azimuth) and sin(m azimuth), by doubling."
     targets = [f"{name}[{m}]" for name in ("cosines", "sines") for m in range(table.bands)]
-    waves = printers.assignments(waves_of_angle(table.bands), language, ["azimuth"], targets)
-    yield from _function("wavesOf(azimuth, cosines, sines)", waves)
+    if table.spec.parity:
+        yield "// cos(m azimuth) and sin(m azimuth) times sin^m of the peak's zenith angle, by doubling."
+        peak = [axis.name for axis in table.axes].index(str(table.spec.peak_axis))
+        lines = [f"const sine = Math.sin(x[{peak}]);"]
+        lines += printers.assignments(stretched_waves(table.bands), language, ["azimuth", "sine"], targets)
+    else:
+        yield "// cos(m azimuth) and sin(m azimuth), by doubling."
+        lines = printers.assignments(waves_of_angle(table.bands), language, ["azimuth"], targets)
+    yield from _function("wavesOf(x, azimuth, cosines, sines)", lines)
     yield "// The weights of orders m and -m turned by the azimuth (Habel et al. 2008, eq. 4)."
     lines, results = printers.statements(TURN, language, ["plus", "minus", "cosine", "sine"])
     yield from _function("turn(plus, minus, cosine, sine)", [*lines, f"return [{', '.join(results)}];"])
@@ -192,6 +228,12 @@ def _formulas(table: Table) -> Iterator[str]:
         yield from _function("fade(depth)", _returning(table.spec.twilight.program, language, ["depth"]))
     else:
         yield from _function("fade()", ["return 1;"])
+
+
+def _factors(table: Table, language: Language, x: Sequence[str]) -> list[str]:
+    program = table.spec.scale.program if table.spec.scale else None
+    targets = [f"out[{k}]" for k in range(len(program.outputs) if program else 1)]
+    return printers.assignments(program, language, x, targets) if program else ["out[0] = 1;"]
 
 
 def _assigned(table: Table, axis: int, array: str) -> list[str]:
@@ -234,13 +276,9 @@ def _function(head: str, lines: Iterable[str]) -> Iterator[str]:
     yield ""
 
 
-def _inputs(table: Table) -> list[str]:
-    first, *rest = (axis.name for axis in table.axes)
-    return [first, *([] if table.spec.azimuth is not None else ["sun_azimuth"]), *rest]
-
-
 def _wrappers(table: Table) -> Iterator[str]:
-    inputs, axes = ", ".join(_inputs(table)), ", ".join(axis.name for axis in table.axes)
+    names = inputs_of(table)
+    inputs, axes = ", ".join(names), ", ".join(axis.name for axis in table.axes)
     azimuth = printers.double(table.spec.azimuth) if table.spec.azimuth is not None else "sun_azimuth"
     out = "\n  weightsOut = new Float32Array(channelCount * WEIGHTS),\n"
     yield "// All bands."
@@ -251,6 +289,16 @@ def _wrappers(table: Table) -> Iterator[str]:
     yield f"export function weightsBands(\n  {inputs}, bandCount,{out}) {{"
     yield f"  evaluateTable([{axes}], {azimuth}, bandCount, weightsOut);"
     yield "  return weightsOut;\n}\n"
+    one = ", ".join(f"{name}[k]" for name in (axis.name for axis in table.axes))
+    count = f"{names[0]}.length"
+    yield "// All bands of many suns, an array an input: one sun's weights after another."
+    yield f"export function weightsBatch(\n  {inputs},"
+    yield f"  weightsOut = new Float32Array({count} * channelCount * WEIGHTS),\n) {{"
+    yield f"  for (let k = 0; k < {count}; ++k) {{"
+    many = "sun_azimuth[k]" if table.spec.azimuth is None else azimuth
+    yield "    const at = k * channelCount * WEIGHTS;"
+    yield f"    evaluateTable([{one}], {many}, BANDS, weightsOut, at);"
+    yield "  }\n  return weightsOut;\n}\n"
     yield "// OK, CLAMPED where an input lies outside its range, INVALID where one is no number or the azimuth not finite."
     yield f"export function status({inputs}) {{"
     yield f"  return clampInputs([{axes}], {azimuth}, []);"

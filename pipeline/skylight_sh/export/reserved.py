@@ -29,7 +29,7 @@ super typeof var with yield
 # What stands beside the axes in the public functions.
 _PARAMETERS = "bands count gradient sun_azimuth weights"
 # Locals of a shader's function, those with a number apart; what it calls, and words of the languages in it.
-_SHADER_LOCALS = "acc depth phi rest row scale status wave"
+_SHADER_LOCALS = "acc depth factors phi rest row scale status wave"
 _SHADER_WORDS = """
 abs array clamp cos exp f32 float2 float3 float4 floor fn function i32 in inout let log max min out pow ptr sin sqrt var vec2
 vec3 vec4

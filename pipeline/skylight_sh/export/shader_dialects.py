@@ -36,10 +36,12 @@ class Dialect:
     array_form: str
     loop_form: str
     function_form: str
+    procedure_form: str
     parameter_form: str
     array_parameter_form: str
     result_parameter_form: str
     element_form: str
+    passed_form: str
 
     def constant(self, kind: str, name: str, value: object) -> str:
         """Declare a global constant."""
@@ -71,6 +73,10 @@ class Dialect:
         """Head of a function that returns a ``kind``."""
         return self.function_form.format(type=self.types[kind], name=name, parameters=", ".join(parameters))
 
+    def procedure(self, name: str, parameters: Sequence[str]) -> str:
+        """Head of a function that returns nothing."""
+        return self.procedure_form.format(name=name, parameters=", ".join(parameters))
+
     def parameter(self, kind: str, name: str) -> str:
         """Return a parameter passed in."""
         return self.parameter_form.format(type=self.types[kind], name=name)
@@ -86,6 +92,10 @@ class Dialect:
     def element(self, name: str, index: object) -> str:
         """Return an element of a ``result_parameter``."""
         return self.element_form.format(name=name, index=index)
+
+    def passed(self, name: str) -> str:
+        """Return a local array as the argument of a ``result_parameter``."""
+        return self.passed_form.format(name=name)
 
     def vector(self, items: Sequence[str]) -> str:
         """Return a vector of two to four scalars; one stays a scalar.

@@ -22,9 +22,9 @@ from skylight_sh.formula.bases import BASES
 from skylight_sh.formula.expression import trace
 from skylight_sh.formula.printers import Language
 from skylight_sh.formula.printers import single as number
-from skylight_sh.runtime import SLACK, Rows, Table
+from skylight_sh.runtime import SLACK, ClassRows, Packed, Table
 from skylight_sh.table import twilight
-from skylight_sh.table.row_layout import layout
+from skylight_sh.table.rows import by_class
 from skylight_sh.table.size import bytes_of
 
 _WIDTH = 112
@@ -35,7 +35,7 @@ _QUARTER = {"high": "1.5703125", "low": number(math.pi / 2 - 1.5703125), "each":
 
 def obstacle(table: Table) -> str | None:
     """Say why ``table`` cannot become a shader, or nothing where it can."""
-    if not isinstance(table.body, Rows):
+    if isinstance(table.body, Packed):
         return f"its layout is {table.body.kind}; shaders evaluate tables of layout rows"
     if table.dtype != np.float32:
         return f"its numbers are {table.dtype}; shaders work in float32"
@@ -54,8 +54,8 @@ def write(table: Table, facts: Facts, language: str, prefix: str = "skylight_sh"
     Weights are scalars for one channel, else vectors of the channels. Raises ValueError for a table with an ``obstacle``,
     a prefix that the languages reserve, or a prefactor whose C is more than arithmetic.
     """
-    why = obstacle(table)
-    if why or not isinstance(table.body, Rows):
+    why, table = obstacle(table), by_class(table)
+    if why or not isinstance(table.body, ClassRows):
         raise ValueError(f"This table cannot become a shader: {why}.")
     prefixes.check(prefix)
     check_prefix(prefix)
@@ -63,7 +63,8 @@ def write(table: Table, facts: Facts, language: str, prefix: str = "skylight_sh"
     names = [axis.name for axis in table.axes]
     inputs = [names[0], "sun_azimuth", *names[1:]]
     colour = "real" if len(table.channels) == 1 else f"vec{len(table.channels)}"
-    fours = table.body.rows.reshape(-1, 4)
+    width = _vectors(table.body)
+    fours = np.pad(table.body.rows, ((0, 0), (0, 4 * width - table.body.rows.shape[1]))).reshape(-1, 4)
     return template("skylight_sh.shader.j2").render(
         d=dialect,
         p=prefix,
@@ -75,26 +76,33 @@ def write(table: Table, facts: Facts, language: str, prefix: str = "skylight_sh"
         e_mean=facts.e_mean,
         e_max=facts.e_max,
         l_min=_comment(facts.l_min),
-        bytes=bytes_of(table),
+        bytes=bytes_of(table) + 4 * fours.size - table.body.rows.nbytes,
         provenance=[_comment(line) for line in facts.provenance],
         bands=table.bands,
         colour=colour,
         radiance=_expansion(dialect, colour, "direction", [1.0] * table.bands),
         irradiance=_expansion(dialect, colour, "normal", sphere.clamped_cosine(table.bands).tolist()),
-        lengths=[str(n) for n in table.body.lengths.tolist()],
+        lengths=[str(n) for n in table.body.lengths.ravel().tolist()],
         rows=[dialect.vector([number(v) for v in four]) for four in fours.tolist()],
-        width=table.body.rows.shape[1] // 4,
-        prefactor=_prefactor(table, dialect, prefix),
-        wave="_wave(" in str((_axes(table, dialect, prefix), _prefactor(table, dialect, prefix))),
+        classes=table.spec.classes,
+        width=width,
+        prefactor=_prefactor(table, dialect, colour, prefix),
+        wave="_wave(" in str((_axes(table, dialect, prefix), _prefactor(table, dialect, colour, prefix))),
         parameters=[dialect.parameter("real", name) for name in inputs],
         arguments=", ".join(inputs),
         axes=_axes(table, dialect, prefix),
         scale=_scale(table, dialect, prefix),
+        factors=_factors(table, dialect, colour, prefix),
         rest=_rest(table),
-        waves=_waves(table.bands, dialect, prefix),
+        waves=_waves(table, dialect, prefix),
         quarter=_QUARTER,
-        stores=_stores(table, dialect, colour),
+        stores=_stores(table, table.body, dialect, colour),
     )
+
+
+def _vectors(body: ClassRows) -> int:
+    """Return how many vectors of four hold a row; the last is filled up."""
+    return int(-(-body.rows.shape[1] // 4))
 
 
 def _expansion(dialect: Dialect, colour: str, vector: str, factors: Sequence[float]) -> list[str]:
@@ -172,21 +180,31 @@ def _axes(table: Table, dialect: Dialect, prefix: str) -> list[dict[str, object]
     return found
 
 
-def _prefactor(table: Table, dialect: Dialect, prefix: str) -> dict[str, object] | None:
+def _is_mixed(table: Table) -> bool:
+    """Say whether channels are made of several classes."""
+    return table.spec.scale is not None and len(table.spec.scale.program.outputs) > 1
+
+
+def _prefactor(table: Table, dialect: Dialect, colour: str, prefix: str) -> dict[str, object] | None:
+    """Return the function of what all weights share: one number, or of each class what the channels take of it."""
     scale = table.spec.scale
     if not scale:
         return None
     inputs = [f"x{a}" for a in range(len(table.axes))]
     lines, results = printers.statements(scale.program, _language(dialect, prefix), inputs)
-    return {
-        "name": scale.name,
-        "parameters": [dialect.parameter("real", name) for name in inputs],
-        "lines": [line for text in [*lines, f"return {results[0]};"] for line in _wrapped(text)],
-    }
+    parameters = [dialect.parameter("real", name) for name in inputs]
+    head = dialect.function("real", f"{prefix}_prefactor", parameters)
+    if _is_mixed(table):
+        classes = table.spec.classes
+        head = dialect.procedure(f"{prefix}_factors", [*parameters, dialect.result_parameter(colour, "factors", classes)])
+        lines += [f"{dialect.element('factors', k)} = {dialect.vector(results[k::classes])};" for k in range(classes)]
+    else:
+        lines.append(f"return {results[0]};")
+    return {"name": scale.name, "head": head, "lines": [line for text in lines for line in _wrapped(text)]}
 
 
 def _scale(table: Table, dialect: Dialect, prefix: str) -> list[str]:
-    """Return the lines that declare ``scale``, what all weights are multiplied with, where there is such."""
+    """Return the lines that declare ``scale``, what all sums are multiplied with, where there is such."""
     lines, factors = [], []
     if table.spec.twilight:
         begin, rest, each = (number(value) for value in (twilight.BEGIN, twilight.REST, 1.0 / twilight.DEPTH))
@@ -198,32 +216,49 @@ def _scale(table: Table, dialect: Dialect, prefix: str) -> list[str]:
             *printed,
         ]
         factors.append(results[0])
-    if table.spec.scale:
+    if table.spec.scale and not _is_mixed(table):
         factors.append(f"{prefix}_prefactor({', '.join(f'x{a}' for a in range(len(table.axes)))})")
     return lines + (_wrapped(dialect.fixed("real", "scale", " * ".join(factors))) if factors else [])
 
 
-def _rest(table: Table) -> list[str]:
-    """Return the products of the other axes' powers, times the scale, in the order of ``Rows``."""
-    scale = "scale" if table.spec.scale or table.spec.twilight else "1.0"
-    return [_times(scale, (0, *at)) for at in product(*(range(degree + 1) for degree in table.degrees[1:]))]
-
-
-def _times(first: str, powers: Sequence[int]) -> str:
-    return " * ".join([first, *(f"t{a}[{power}]" for a, power in enumerate(powers) if power)])
-
-
-def _waves(bands: int, dialect: Dialect, prefix: str) -> list[str]:
-    """Return the lines that declare cos and sin of m times the azimuth as ``c1``, ``s1``, .. by doubling: m = h + k."""
-    if bands == 1:
+def _factors(table: Table, dialect: Dialect, colour: str, prefix: str) -> list[str]:
+    """Return the lines that declare ``factors``, what the channels take of each class, where there are such."""
+    if not _is_mixed(table):
         return []
+    inputs = [f"x{a}" for a in range(len(table.axes))]
+    call = f"{prefix}_factors({', '.join([*inputs, dialect.passed('factors')])});"
+    return [dialect.array(colour, "factors", table.spec.classes), call]
+
+
+def _rest(table: Table) -> list[str]:
+    """Return the products of the other axes' functions, times the scale, the last axis fastest."""
+    scaled = table.spec.twilight or (table.spec.scale and not _is_mixed(table))
+    first = ["scale"] if scaled else []
+    found = []
+    for at in product(*(range(degree + 1) for degree in table.degrees[1:])):
+        factors = first + [f"t{a}[{power}]" for a, power in enumerate(at, start=1) if power]
+        found.append(" * ".join(factors) or "1.0")
+    return found
+
+
+def _waves(table: Table, dialect: Dialect, prefix: str) -> list[str]:
+    """Return the lines that declare cos and sin of m times the azimuth as ``c1``, ``s1``, .. by doubling: m = h + k.
+
+    With parity those of order m are multiplied by sin^m of the peak's zenith angle.
+    """
+    if table.bands == 1:
+        return []
+    first = f"{prefix}_wave(sun_azimuth)"
+    if table.spec.parity:
+        peak = [axis.name for axis in table.axes].index(str(table.spec.peak_axis))
+        first = f"{first} * {prefix}_wave(x{peak}).y"
     lines = [
-        dialect.fixed("vec2", "wave", f"{prefix}_wave(sun_azimuth)"),
+        dialect.fixed("vec2", "wave", first),
         dialect.fixed("real", "c1", "wave.x"),
         dialect.fixed("real", "s1", "wave.y"),
     ]
-    program = trace(lambda cosine, sine: _doubled(cosine, sine, bands), ["cosine", "sine"])
-    names = [f"{wave}{m}" for m in range(2, bands) for wave in "cs"]
+    program = trace(lambda cosine, sine: _doubled(cosine, sine, table.bands), ["cosine", "sine"])
+    names = [f"{wave}{m}" for m in range(2, table.bands) for wave in "cs"]
     return lines + printers.declarations(program, _language(dialect, prefix), ["c1", "s1"], names)
 
 
@@ -232,28 +267,32 @@ def _doubled(cosine: Any, sine: Any, bands: int) -> list[Any]:
     return [wave for pair in list(zip(*waves(cosine, sine, bands), strict=True))[2:] for wave in pair]
 
 
-def _stores(table: Table, dialect: Dialect, colour: str) -> list[str]:
+def _stores(table: Table, body: ClassRows, dialect: Dialect, colour: str) -> list[str]:
     """Return the lines that store all weights, turned by the azimuth (Habel et al. 2008, eq. 4)."""
-    column = {place: k for k, place in enumerate(layout(table.spec, table.bands).places) if place}
+    columns = dict(zip(table.places.tolist(), body.columns.tolist(), strict=True))
+    classes, width, mixed = range(table.spec.classes), _vectors(body), _is_mixed(table)
 
-    def output(l: int, m: int) -> str:
-        places = [column[l, c, m] for c in range(len(table.channels))]
-        return dialect.vector([f"acc[{k // 4}].{'xyzw'[k % 4]}" for k in places])
+    def output(place: int) -> str:
+        column = columns[place]
+        sums = [f"acc[{k * width + column // 4}].{'xyzw'[column % 4]}" for k in classes]
+        if mixed:
+            return " + ".join(f"factors[{k}] * {one}" for k, one in enumerate(sums))
+        return dialect.vector(sums)
 
     lines = []
     for l in range(table.bands):
         middle = l * (l + 1)
-        lines.append(f"{dialect.element('weights', middle)} = {output(l, 0)};")
+        lines.append(f"{dialect.element('weights', middle)} = {output(middle)};")
         for m in range(1, l + 1):
             plus, minus = dialect.element("weights", middle + m), dialect.element("weights", middle - m)
-            lines.append(dialect.fixed(colour, f"a{l}_{m}", output(l, m)))
+            lines.append(dialect.fixed(colour, f"a{l}_{m}", output(middle + m)))
             if table.spec.mirrored:
                 lines += [f"{plus} = a{l}_{m} * c{m};", f"{minus} = a{l}_{m} * s{m};"]
                 continue
-            lines.append(dialect.fixed(colour, f"b{l}_{m}", output(l, -m)))
+            lines.append(dialect.fixed(colour, f"b{l}_{m}", output(middle - m)))
             inputs = [f"a{l}_{m}", f"b{l}_{m}", f"c{m}", f"s{m}"]
             lines += printers.assignments(TURN, _language(dialect, ""), inputs, [plus, minus])
-    return lines
+    return [line for text in lines for line in _wrapped(text)]
 
 
 def _wrapped(text: str) -> list[str]:

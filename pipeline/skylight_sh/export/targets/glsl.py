@@ -20,9 +20,11 @@ DIALECT = Dialect(
     array_form="{type} {name}[{size}];",
     loop_form="for (int {name} = 0; {name} < {size}; ++{name}) {{",
     function_form="{type} {name}({parameters})",
+    procedure_form="void {name}({parameters})",
     parameter_form="{type} {name}",
     array_parameter_form="{type} {name}[{size}]",
     result_parameter_form="out {type} {name}[{size}]",
     element_form="{name}[{index}]",
+    passed_form="{name}",
 )
 TARGET = shader.target(DIALECT)

@@ -19,9 +19,11 @@ DIALECT = Dialect(
     array_form="var {name}: array<{type}, {size}>;",
     loop_form="for (var {name}: i32 = 0; {name} < {size}; {name}++) {{",
     function_form="fn {name}({parameters}) -> {type}",
+    procedure_form="fn {name}({parameters})",
     parameter_form="{name}: {type}",
     array_parameter_form="{name}: array<{type}, {size}>",
     result_parameter_form="{name}: ptr<function, array<{type}, {size}>>",
     element_form="(*{name})[{index}]",
+    passed_form="&{name}",
 )
 TARGET = shader.target(DIALECT)

@@ -6,14 +6,14 @@ export const OK = 0, CLAMPED = 1, INVALID = 2;
 // The status of inputs, one an axis, and an azimuth; where it is not INVALID, `x` holds the values within their
 // ranges.
 export function clampInputs(inputs, azimuth, x) {
-  const missing = inputs.some((value) => Number.isNaN(Number(value)));
-  if (missing || !Number.isFinite(azimuth)) return INVALID;
+  if (!Number.isFinite(azimuth)) return INVALID;
   let status = OK;
-  axes.forEach(({ first, last, low, high }, axis) => {
-    const value = Number(inputs[axis]);
+  for (let axis = 0; axis < axes.length; ++axis) {
+    const { first, last, low, high } = axes[axis], value = Number(inputs[axis]);
+    if (Number.isNaN(value)) return INVALID;
     if (value < first || value > last) status = CLAMPED;
     x[axis] = real(Math.min(Math.max(value, low), high));
-  });
+  }
   return status;
 }
 
