@@ -203,7 +203,9 @@ def _sums(table: Table) -> Iterator[str]:
     rooms = -(-terms // _FOUR) * _FOUR
     places = np.cumsum(rooms) - rooms
     yield ""
-    yield from commented("Classes; a row's numbers, one a sum, and those of the first 1, 2, .. bands; room for a class's sums.")
+    yield from commented(
+        "Classes; a row's numbers, one a sum, and those of the first 1, 2, .. bands; room for a class's sums."
+    )
     yield f"#define {P}_CLASSES {table.spec.classes}"
     yield f"#define {P}_FACTORS {len(table.spec.scale.program.outputs) if table.spec.scale else 1}"
     yield f"#define {P}_WIDTH {width}"
@@ -215,9 +217,13 @@ def _sums(table: Table) -> Iterator[str]:
     yield f"#define {P}_COUNTS {_braced(terms.tolist())}"
     yield f"#define {P}_PLACES {_braced(places.tolist())}"
     yield f"#define {P}_PRODUCTS_ROOM {int(rooms.sum()) + _FOUR}"
-    yield from commented("Of each class and product of the other axes' functions: how many functions of the first axis it has.")
+    yield from commented(
+        "Of each class and product of the other axes' functions: how many functions of the first axis it has."
+    )
     yield f"#define {P}_LENGTHS {_braced(map(_braced, lengths.tolist()))}"
-    yield from commented("The same: of each that has any, the place of its first product, how many, the other axes' product.")
+    yield from commented(
+        "The same: of each that has any, the place of its first product, how many, the other axes' product."
+    )
     starts = places[:, np.newaxis] + np.cumsum(lengths, axis=1) - lengths
     kept = [(int(starts[k, r]), int(lengths[k, r]), r) for k, r in np.ndindex(*lengths.shape) if lengths[k, r]]
     yield from _list(f"#define {P}_PRODUCTS(PRODUCT)", [f"PRODUCT({start}, {n}, {r})" for start, n, r in kept])
@@ -233,9 +239,14 @@ def _places(table: Table, column: NDArray[np.int64]) -> Iterator[str]:
         found = [f"DEGREE({l}, {k})" for l, k in sorted(first.items()) if k >= 0]
         yield from _list(f"#define {P}_DEGREES(DEGREE)", found)
         return
-    yield from commented("Of each low degree, order and column; of the others, in fours, order, column and the place of m = 0.")
-    low = [f"BAND({l}, {' '.join(f'ONE({l}, {m}, {first[l] + m})' for m in range(l + 1))})" for l in range(table.bands)
-           if l < _FOUR - 1 and first[l] >= 0]
+    yield from commented(
+        "Of each low degree, order and column; of the others, in fours, order, column and the place of m = 0."
+    )
+    low = [
+        f"BAND({l}, {' '.join(f'ONE({l}, {m}, {first[l] + m})' for m in range(l + 1))})"
+        for l in range(table.bands)
+        if l < _FOUR - 1 and first[l] >= 0
+    ]
     yield from _list(f"#define {P}_LOW(BAND, ONE)", low)
     # The last four of a degree may overlap those before.
     fours = [
@@ -254,7 +265,9 @@ def _rows(body: ClassRows) -> Iterator[str]:
     width = body.rows.shape[1]
     number = exact if body.rows.dtype == np.float64 else single
     yield ""
-    yield from commented("Of each class, a row a term (functions of the other axes, then of the first): its number for every sum.")
+    yield from commented(
+        "Of each class, a row a term (functions of the other axes, then of the first): its number for every sum."
+    )
     numbers = [number(c) for c in body.rows.ravel().tolist()]
     # The last row is read in vectors of as many numbers as a compiler has.
     numbers += [number(0.0)] * (-width % _WIDEST)

@@ -69,8 +69,9 @@ class Sampled:
                 if m:
                     made[:, self.orders == m] *= wave[:, np.newaxis]
             sums.append(made)
-        out = np.empty(self.truth.shape[:2])
-        for channel in range(out.shape[1]):
+        count, channels = len(self.truth), len(self.truth[0])
+        out = np.empty((count, channels))
+        for channel in range(channels):
             off = -self.truth[:, channel]
             for k, made in enumerate(sums):
                 share = self.factor[:, channel, k]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from skylight_sh.report.report_data import ReportData
-from skylight_sh.table.row_layout import layout
+from skylight_sh.table.row_layout import widths
 
 
 def rows(data: ReportData) -> list[tuple[str, str]]:
@@ -26,9 +26,8 @@ def rows(data: ReportData) -> list[tuple[str, str]]:
     if scene["channels"] == "luminance" and channels == 1:
         found.append(("colour", "1 channel instead of 3: a third of the radiance's colours, fits and outputs"))
     if scene["quantity"] == "irradiance":
-        kept = [place for place in layout(table.spec, table.bands).places if place]
-        all_ = harmonics.count * channels
-        found.append(("bands l = 3, 5, .., which carry no irradiance", f"{len(kept)} instead of {all_} columns"))
+        kept, all_ = (count * table.spec.classes for count in (widths(table.spec, bands)[-1], harmonics.count))
+        found.append(("bands l = 3, 5, .., which carry no irradiance", f"{kept} instead of {all_} columns"))
     if scene["azimuth"] is not None:
         found.append(("the sun's azimuth, fixed", "an input, a sine and a cosine a call"))
     if scene["window"]:

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from skylight_sh.fit import paper_scheme
 from skylight_sh.fit.axis import Axis
 from skylight_sh.runtime import Scale, Table
+from skylight_sh.sphere import Harmonics
 from skylight_sh.studies.grid_samples import Samples
 from skylight_sh.table import grid_fit
 from skylight_sh.table.grid_fit import GridFit
@@ -25,11 +26,6 @@ def paper_degrees(samples: Samples) -> list[int]:
     return paper_scheme.degrees_within([axis.degrees[1] for axis in samples.config.axes])
 
 
-def factor_of(samples: Samples, kind: str, where: Array) -> Array:
-    """Return what the weights at ``where`` ``(n, axes)`` are divided by, ``(n,)``."""
-    return grid_fit.factor_at(_scale(samples, kind), where)
-
-
 def system(samples: Samples, values: Array, degrees: Sequence[int], basis: str, kind: str) -> tuple[Array, list[Array]]:
     """Return the right side ``(n_1, .., n_D, outputs)`` and the basis at each axis's nodes.
 
@@ -40,12 +36,16 @@ def system(samples: Samples, values: Array, degrees: Sequence[int], basis: str, 
 
 def fit(samples: Samples, values: Array, degrees: Sequence[int], basis: str, solver: str, kind: str) -> GridFit:
     """Fit ``values`` as ``system`` sets it up. Raises LinAlgError where the solver gives up."""
-    return grid_fit.fit(values, _axes(samples, kind), samples.nodes, degrees, basis, solver, _scale(samples, kind))
+    orders = Harmonics.even(samples.config.truth.bands).orders
+    variables, scale, peak = _axes(samples, kind), _scale(samples, kind), _parity(samples, kind)
+    return grid_fit.fit(values, variables, samples.nodes, degrees, basis, solver, scale, peak, orders)
 
 
 def table_of(samples: Samples, made: GridFit, dtype: str) -> Table:
     """Return a fit as a table of all its coefficients in ``dtype``."""
-    spec = specification(made.axes, samples.spec.channels, True, made.basis, made.scale)
+    peak = made.parity or None
+    channels = samples.spec.channels
+    spec = specification(made.axes, channels, True, made.basis, made.scale, peak_axis=peak, parity=bool(peak))
     return whole(spec, made.dense, samples.config.truth.bands, dtype)
 
 
@@ -55,3 +55,7 @@ def _axes(samples: Samples, kind: str) -> tuple[Axis, ...]:
 
 def _scale(samples: Samples, kind: str) -> Scale | None:
     return samples.spec.scale if kind == OWN else None
+
+
+def _parity(samples: Samples, kind: str) -> str:
+    return str(samples.spec.peak_axis) if kind == OWN and samples.spec.parity else ""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -45,6 +46,17 @@ class GridFit:
         """Return all products of basis functions at parameter sets ``(n, axes)``: ``(n, terms)``."""
         degrees = [size - 1 for size in self.dense.shape[2:]]
         return np.asarray(tables.products(self.basis, self.axes, sets, degrees), dtype=np.float64)
+
+    def weights(self, sets: Array, sums: Array, channels: int) -> Array:
+        """Return the weights ``(n, channels, count)`` that ``sums`` of polynomials ``(n, classes, count)`` make at ``sets``."""
+        orders = Harmonics.even(_bands_of(sums.shape[2])).orders * bool(self.parity)
+        waves = sines_at(self.axes, self.parity, sets)[:, np.newaxis] ** orders
+        return np.asarray(factor_at(self.scale, sets, channels) @ sums * waves[:, np.newaxis])
+
+
+def _bands_of(count: int) -> int:
+    """Return how many bands have ``count`` weights of orders m >= 0."""
+    return (math.isqrt(8 * count + 1) - 1) // 2
 
 
 def factor_at(scale: Scale | None, sets: Array, channels: int) -> Array:

@@ -11,7 +11,7 @@ from pathlib import Path
 from skylight_sh.runtime import Rows, Table
 from skylight_sh.studies import compiled
 from skylight_sh.studies.page import Row, Section
-from skylight_sh.table.row_layout import layout
+from skylight_sh.table.row_layout import widths
 
 _SUNS = 4096
 _FLAGS = {"-O3": ["-O3"], "-O3 native": ["-O3", "-march=native"]}
@@ -95,7 +95,7 @@ def section(tables: Mapping[str, Table], repeats: int) -> Section:
                     found[name].append([1e9 * float(v) for v in out.split()])
             for name, table in fast.items():
                 single, day, mixed, _ = (statistics.median(column) for column in zip(*found[name], strict=True))
-                work = (table.degrees[0] + 1) * len(layout(table.spec, table.bands).places)
+                work = (table.degrees[0] + 1) * table.spec.classes * widths(table.spec, table.bands)[-1]
                 rows.append(
                     {
                         "table": name,

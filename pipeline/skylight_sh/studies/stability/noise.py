@@ -48,9 +48,10 @@ def section(samples: Samples) -> Section:
 def _weights(samples: Samples, values: np.ndarray, basis: str, solver: str, kind: str) -> np.ndarray:
     made = single_fit.fit(samples, values, single_fit.paper_degrees(samples), basis, solver, kind)
     where = samples.reference.parameters
-    outputs = made.dense.shape[0] * made.dense.shape[1]
-    there = single_fit.factor_of(samples, kind, where)[:, np.newaxis]
-    return np.asarray(made.products(where) @ made.dense.reshape(outputs, -1).T * there)
+    classes, count = made.dense.shape[:2]
+    sums = made.products(where) @ made.dense.reshape(classes * count, -1).T
+    weights = made.weights(where, sums.reshape(len(where), classes, count), samples.reference.weights.shape[1])
+    return weights.reshape(len(where), -1)
 
 
 def _draw(rows: Sequence[Row]) -> Figure:

@@ -43,15 +43,14 @@ def section(samples: Samples) -> Section:
     ):
         schemes = ("powers", "Horner") if basis == "monomial" else ("recurrence", "Clenshaw")
         made = single_fit.fit(samples, samples.half, single_fit.paper_degrees(samples), basis, "svd", kind)
-        factor = single_fit.factor_of(samples, kind, samples.reference.parameters)
         for scheme in schemes:
             row: dict[str, object] = {"fit": label, "scheme": scheme}
-            row |= {bits: _error(samples, made, factor, scheme, bits) for bits in _BITS}
+            row |= {bits: _error(samples, made, scheme, bits) for bits in _BITS}
             rows.append(row)
     return Section("schemes", "Number types and evaluation schemes", TEXT, rows, _draw)
 
 
-def _error(samples: Samples, made: GridFit, factor: Array, scheme: str, bits: str) -> float:
+def _error(samples: Samples, made: GridFit, scheme: str, bits: str) -> float:
     """Return the largest per-set E_mean of a fit kept as ``bits`` and summed by ``scheme``."""
     dense = made.dense
     dtype = np.dtype("float32" if bits == "int16" else bits)
@@ -66,8 +65,8 @@ def _error(samples: Samples, made: GridFit, factor: Array, scheme: str, bits: st
         for i in reversed(range(len(made.axes))):
             u = made.axes[i].scaled(values[:, i]).reshape(-1, *(1,) * (got.ndim - 2))
             got = SCHEMES[scheme](got, u)
-        weights = got.astype(np.float64) * factor[:, np.newaxis, np.newaxis]
         truth = samples.reference.weights
+        weights = made.weights(samples.reference.parameters, got.astype(np.float64), truth.shape[1])
         return e_mean(weights - truth, samples.reference.headline)
 
 

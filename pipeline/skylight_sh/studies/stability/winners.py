@@ -63,9 +63,9 @@ def smoothness(samples: Samples, tables: Mapping[str, Table]) -> Section:
             clamped, _ = table.clamp(values)
             got = table.evaluate(clamped).astype(np.float64)
             count = got.shape[-1]
-            factor = single_fit.factor_of(samples, single_fit.OWN, clamped)[:, np.newaxis, np.newaxis]
             dense = whole.dense[:, :count]
-            exact = (whole.products(clamped) @ dense.reshape(dense.shape[0] * count, -1).T).reshape(got.shape) * factor
+            sums = (whole.products(clamped) @ dense.reshape(dense.shape[0] * count, -1).T).reshape(len(got), -1, count)
+            exact = whole.weights(clamped, sums, got.shape[1])
             l_min = _least(samples.reference, clamped)
             error_step = max(error_step, e_mean(np.diff(got - exact, axis=0), l_min[1:]))
             value_step = max(value_step, e_mean(np.diff(got, axis=0), l_min[1:]))
