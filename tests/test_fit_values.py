@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from sampled import plain
 from skylight_sh.fit import errors, quantisation, sweep, variable_search
 from skylight_sh.fit.axis import Axis
 from skylight_sh.fit.minimax import Sampled, even, metric, sharpen
@@ -18,7 +19,7 @@ from skylight_sh.reproducible import significant
 
 Array = NDArray[np.float64]
 
-POINTS = {"identity": 0.0, "log": 0.7, "reciprocal": 5.5, "cbrt": 4.25, "raw": 0.0}
+POINTS = {"identity": 0.0, "log": 0.7, "reciprocal": 5.5, "cbrt": 4.25, "raw": 0.0, "even": -3.0}
 VALUES = np.array([1.25, 1.5, 2.0, 3.0, 4.0])
 SCALED = {
     "identity": (VALUES - 1.25) / 2.75 * 2 - 1,
@@ -26,6 +27,7 @@ SCALED = {
     "reciprocal": (1 / (5.5 - VALUES) - 1 / 4.25) / (1 / 1.5 - 1 / 4.25) * 2 - 1,
     "cbrt": (np.cbrt(3.0) - np.cbrt(4.25 - VALUES)) / (np.cbrt(3.0) - np.cbrt(0.25)) * 2 - 1,
     "raw": VALUES,
+    "even": (1 / (3.0 + VALUES**2) - 1 / 4.5625) / (1 / 19.0 - 1 / 4.5625) * 2 - 1,
 }
 
 
@@ -91,7 +93,8 @@ def test_a_sweep_sees_every_set(worst: int) -> None:
     weights[worst] = 3.0
     one = np.ones(300)
     reference = errors.Reference(np.zeros((300, 1)), weights, np.zeros(1, dtype=np.int64), 0.5 * one, one)
-    found = sweep.sweep(np.array([[[1.0, 0.0]]]), [np.ones((300, 2))], one, reference, [range(2)], 1)
+    factor, waves = one.reshape(-1, 1, 1), one.reshape(-1, 1)
+    found = sweep.sweep(np.array([[[1.0, 0.0]]]), [np.ones((300, 2))], factor, waves, reference, [range(2)], 1)
     assert found.degrees == [(0,), (1,)]
     for row in range(2):
         assert found.at["per-set"][row].tolist() == [[worst]]
@@ -127,7 +130,7 @@ def grid(count: int) -> Sampled:
     first, second = np.polynomial.chebyshev.chebvander(a, 3), np.polynomial.chebyshev.chebvander(b, 2)
     basis = (first[:, :, np.newaxis] * second[:, np.newaxis, :]).reshape(a.size, -1)
     truth = np.stack([1.0 / (1.6 - a - 0.3 * b), np.exp(0.7 * a - 0.4 * b)], axis=-1)
-    return Sampled(basis, truth[:, np.newaxis])
+    return plain(basis, truth[:, np.newaxis])
 
 
 @pytest.mark.parametrize("budget", [0.8, 0.5, 0.4])
@@ -136,13 +139,13 @@ def test_fewest_terms_are_those_of_trying_every_staircase(budget: float) -> None
     normal = metric(fitted, even(fitted))
     needed = 12
     for lengths in itertools.product(range(5), repeat=3):
-        kept = np.flatnonzero((np.arange(4)[:, np.newaxis] < np.array(lengths)).ravel())
-        if 0 < kept.size < needed and checked.errors(normal.best_of(kept)).max() <= budget:
-            needed = kept.size
+        kept = (np.arange(4)[:, np.newaxis] < np.array(lengths)).reshape(1, -1)
+        if 0 < kept.sum() < needed and checked.errors(normal.best_of(kept)).max() <= budget:
+            needed = int(kept.sum())
     assert needed < 12
     best, _ = fewest(fitted, checked, (9, 9), 4, budget)
     assert best is not None
-    assert best.lengths.sum() <= -(-needed // 4) * 4
+    assert best.lengths.sum() <= needed
     # A budget that is met to the last bit is met.
     again, _ = fewest(fitted, checked, (9, 9), 4, best.error)
     assert again is not None
@@ -183,3 +186,38 @@ def test_whole_numbers_stay_within_what_a_reader_holds(monkeypatch: pytest.Monke
     assert best is None
     # What a Rice code's reader holds once folded (the packed format), and nearly all of it.
     assert 2**29 < max(seen) <= 2**30 - 1
+
+
+def test_classes_that_share_channels_are_fitted_together_with_their_orders_powers() -> None:
+    """Two channels made of two classes' polynomials, times sin^m: the fit finds the polynomials themselves."""
+    rng = np.random.default_rng(3)
+    theta = np.linspace(0.0, 1.5, 30)
+    basis = np.polynomial.chebyshev.chebvander(2.0 * (theta / 1.5) ** 2 - 1.0, 3)
+    factor = rng.uniform(0.5, 2.0, (30, 2, 2))
+    orders = np.array([0, 0, 1, 0, 1, 2])
+    known = rng.normal(size=(2, 6, 4))
+    sums = np.einsum("nt,kwt->nkw", basis, known) * np.sin(theta)[:, np.newaxis, np.newaxis] ** orders
+    truth = np.einsum("nck,nkw->ncw", factor, sums)
+    sampled = Sampled(basis, factor, truth, np.sin(theta), orders)
+    assert sampled.groups == [(0, 1)]
+    found = metric(sampled, even(sampled)).best
+    assert found == pytest.approx(known, abs=1e-6)
+    assert sampled.errors(known) == pytest.approx(np.zeros((30, 2)), abs=1e-12)
+    # One number off by a half: the error of a set is the root of its squares over the channels' weights.
+    off = known.copy()
+    off[1, 5, 2] += 0.5
+    expected = np.abs(0.5 * factor[:, :, 1] * (basis[:, 2] * np.sin(theta) ** 2)[:, np.newaxis])
+    assert sampled.errors(off) == pytest.approx(expected, abs=1e-12)
+
+
+def test_rounding_of_some_weights_leaves_no_trace_in_others() -> None:
+    """Weights are rounded side by side, each as if it were alone."""
+    sampled = grid(9)
+    normal = metric(sampled, even(sampled))
+    lengths = np.array([[[4, 3, 1], [2, 4, 2]]])
+    both = round_kept(normal, lengths, 4, 1e-3)
+    for weight in range(2):
+        alone = lengths.copy()
+        alone[0, 1 - weight] = 0
+        assert round_kept(normal, alone, 4, 1e-3)[0, weight].tolist() == both[0, weight].tolist()
+        assert not round_kept(normal, alone, 4, 1e-3)[0, 1 - weight].any()
