@@ -34,7 +34,7 @@ def variable(axis: Axis) -> dict[str, object]:
     """Return what a template needs of an axis: its ends, and its change of variable over the clamped value ``v``.
 
     >>> variable(Axis("height", 0.0, 2.0))["variable"]
-    'v - 1.0f'
+    '(v - 0.0f) * 1.0f - 1.0f'
     """
     lines, (text,) = printers.statements(axis.specified.variable, C_SINGLE, ["v"])
     ends = {"low": C_SINGLE.number(axis.low), "high": C_SINGLE.number(axis.high)}
