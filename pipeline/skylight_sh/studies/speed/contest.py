@@ -62,16 +62,16 @@ class Contest:
         return dropped, total
 
     def rivals(self, name: str) -> list[str]:
-        """Return who stands against a table: those made as exact as it, and those of as many bands that are for any.
+        """Return who stands against a table: those made as exact as its budget's, and those of as many bands for any.
 
-        Against an unpacked table also the fast one of its budget.
+        Against a packed table, unpacked or not, also the fast one of its budget.
         """
-        bands, fast = self.candidates[name].bands, name.removesuffix(f"-packed: {UNPACKED}")
+        bands, twin = self.candidates[name].bands, twin_of(name)
         return [
             other
             for other, candidate in self.candidates.items()
-            if candidate.rival_of == name
-            or (other == fast and other != name)
+            if candidate.rival_of in (name, twin)
+            or (other == twin != name)
             or (candidate.rival_of is None and candidate.kind not in (*OURS, UNPACK) and candidate.bands == bands)
         ]
 
@@ -116,18 +116,28 @@ def candidates(samples: Samples, tables: Mapping[str, Table]) -> dict[str, Candi
             found |= unpacked(name, header, len(table.axes) + 1, table.bands)
     made = lookup.source(samples)
     for name, table in tables.items():
-        if found[name].kind == TABLE:
-            wanted, first = headline(table, samples.reference), made.first_bands(table.bands)
-            for kind in lookup.POINTS:
-                grid = lookup.as_exact_as(first, samples.reference, wanted, kind)
-                if grid:
-                    sizes = " x ".join(map(str, grid.sizes))
-                    found[f"{name}: lookup {sizes}, {kind}"] = lookup.candidate(grid, first, name)
+        if twin_of(name) in tables and twin_of(name) != name:
+            continue
+        wanted, first = headline(table, samples.reference), made.first_bands(table.bands)
+        for kind in lookup.POINTS:
+            grid = lookup.as_exact_as(first, samples.reference, wanted, kind)
+            if grid:
+                sizes = " x ".join(map(str, grid.sizes))
+                found[f"{name}: lookup {sizes}, {kind}"] = lookup.candidate(grid, first, name)
         rival = direct(name, table)
         if rival:
             found[f"{name}: direct"] = rival
     projected = brute_force(samples)
     return found | ({BRUTE_FORCE: projected} if projected else {})
+
+
+def twin_of(name: str) -> str:
+    """Return the name of the fast table of the same budget.
+
+    >>> twin_of("4-bands-1pct-packed"), twin_of("4-bands-1pct-packed: unpacked table"), twin_of("4-bands-1pct")
+    ('4-bands-1pct', '4-bands-1pct', '4-bands-1pct')
+    """
+    return name.removesuffix(f": {UNPACKED}").removesuffix("-packed")
 
 
 def literal(samples: Samples) -> Candidate:
