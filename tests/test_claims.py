@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import shutil
 from pathlib import Path
 from typing import Any
@@ -12,16 +11,13 @@ import pytest
 from click.testing import CliRunner
 from conftest import ROOT
 from numpy.typing import NDArray
-from skylight_sh import runtime, sphere
+from skylight_sh import sphere
 from skylight_sh.config import Config, parse
 from skylight_sh.config.extending import read
 from skylight_sh.light import spherical_lights
 from skylight_sh.report.page import _TEMPLATES
 from skylight_sh.studies.claims import readme, scene
 from skylight_sh.studies.claims.__main__ import main
-from skylight_sh.studies.page import Section
-from skylight_sh.studies.speed import speed
-from skylight_sh.studies.speed.evaluation import LITERAL
 
 Array = NDArray[np.float64]
 BANDS = 6
@@ -117,20 +113,6 @@ def test_the_page_says_what_is_rounding_noise(fit: str, reference: str | None, n
         **{"skipped": [], "settings": "", "environment": {}, "keys": {}},
     )
     assert ("rounding noise, and this machine's" in page) == noise
-
-
-def test_speed_is_recorded_with_its_spread_and_machine(tmp_path: Path) -> None:
-    tables = {"one": runtime.read(REFERENCE / "export" / "skylight_sh.npz")}
-    ratios = {f"{key}{part}": 12.345 for key in speed._RATIOS for part in ("", ", least", ", most")}
-    times = dict.fromkeys(speed._TIMES, 123.45)
-    rows = [{"table": name, "bytes": 10, **times, **ratios} for name in (LITERAL, "one", "lookup 9, linear")]
-    speed.save(tmp_path, Section("evaluation", "", "", rows), tables, 7)
-    found = json.loads((tmp_path / "speed.json").read_text(encoding="utf-8"))
-    assert [row["name"] for row in found["tables"]] == [LITERAL, "one"]
-    assert found["tables"][1]["times_faster"] == {"median": 12.3, "least": 12.3, "most": 12.3}
-    assert found["tables"][1]["bands"] == 7
-    assert all(found["machine"][key] for key in ("processor", "cores", "system", "compiler"))
-    assert found["rounds"] == 7
 
 
 def test_the_command_writes_blocks_and_releases_speed(tmp_path: Path) -> None:

@@ -76,7 +76,9 @@ def test_modules_and_files_that_are_named_exist(page: Path) -> None:
     """A path in code marks is one of the repository, or one under ``pipeline/skylight_sh``."""
     for name in re.findall(r"`([\w.\-]+(?:/[\w.\-]+)*\.(?:py|toml|h|j2|md)|[\w.\-]+(?:/[\w.\-]+)*/)`", prose(page)):
         places = [ROOT / name, PACKAGE / name, page.parent / name]
-        written = name.startswith(("reports/", "artifacts/", "export/", "skylight_sh.")) or f"File `{name}`:" in text(page)
+        written = name.startswith(
+            ("reports/", "artifacts/", "export/", "skylight_sh.", "skylight_sh_direct.")
+        ) or f"File `{name}`:" in text(page)
         assert written or any(place.exists() for place in places), f"{page.name} names {name}"
 
 
@@ -197,6 +199,16 @@ def test_macros_and_functions_of_the_header_are_there(small_run: Result) -> None
     for name in listed("The C header"):
         plain = name.partition("(")[0].replace("<AXIS>", "SUN_ZENITH")
         whole = re.sub(r"^P_", "SKYLIGHT_SH_", re.sub(r"^p_", "skylight_sh_", plain))
+        assert re.search(rf"\b{whole}\b", header), whole
+
+
+def test_names_of_the_direct_header_are_there(small_run: Result) -> None:
+    table = runtime.read(small_run.folder / "export" / "skylight_sh.npz")
+    facts = Facts("a sky", 0.01, 0.02, "per-set", [])
+    header = targets.write(("direct",), table, facts, "skylight_sh")["skylight_sh_direct.h"].decode()
+    for name in listed("The direct header"):
+        plain = name.partition("(")[0].replace("<AXIS>", "SUN_ZENITH")
+        whole = re.sub(r"^P_", "SKYLIGHT_SH_DIRECT_", re.sub(r"^p_", "skylight_sh_direct_", plain))
         assert re.search(rf"\b{whole}\b", header), whole
 
 

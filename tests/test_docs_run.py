@@ -15,6 +15,7 @@ import numpy as np
 import pytest
 from conftest import ROOT
 from numpy.typing import NDArray
+from skylight_sh.export import direct_nodes
 from skylight_sh.fit.axis import Axis
 from skylight_sh.fit.errors import e_mean
 from skylight_sh.light.preetham import Preetham
@@ -62,6 +63,19 @@ def test_rules_converge_as_told() -> None:
         assert off < 2 * float(error), (rule, n, off)
         # Rounding has no lower bound.
         assert off > float(error) / 2 or float(error) < 1e-13, (rule, n, off)
+
+
+def test_few_nodes_reach_their_budgets_as_told() -> None:
+    """The sums of the target ``direct``: their nodes exactly, their errors to the digits shown."""
+    ranges, domain = ((0.0, float(np.pi / 2)), (2.5, 6.0)), ((0.0, float(np.pi / 2)), (1.7, 10.0))
+    found = rows_of("direct")
+    assert len(found) == 3
+    for budget, ring_count, turns, *told in (row[:5] for row in found):
+        asked = float(budget.removesuffix(" %")) / 100
+        nodes, within = direct_nodes.choose(Preetham(), ranges, 7, asked)
+        assert (nodes.circles + nodes.arcs, nodes.waves) == (int(ring_count), int(turns))
+        anywhere = direct_nodes.e_mean(Preetham(), domain, 7, nodes)
+        assert told == [f"{100 * value:.2g} %" for value in (within, anywhere)]
 
 
 def sampled(nodes: list[Array]) -> tuple[Array, Array, Array]:

@@ -11,10 +11,16 @@ from skylight_sh.cli import options
 
 @click.command()
 @click.argument("config", default=options.DEFAULT)
-@click.option("--repeats", type=click.IntRange(3), default=7, show_default=True, help="Runs a median is taken of.")
+@click.option(
+    "--repeats",
+    type=click.IntRange(3),
+    default=7,
+    show_default=True,
+    help="Rounds a median is taken of, of fits and rules; six times as many of calls in C.",
+)
 @options.reports
 def bench(config: str, repeats: int, reports: Path) -> None:
-    """Measure error against time for CONFIG, which must have run: truth rules, fits, evaluation, growth of cost.
+    """Measure error against time for CONFIG, which must have run: its tables against their rivals, batches, rules, fits.
 
     CONFIG is a path or a shipped config's name, preetham if it is left out.
     """

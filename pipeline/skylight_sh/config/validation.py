@@ -10,7 +10,7 @@ from skylight_sh.config.problem import Problem
 from skylight_sh.config.schema import AxisSection, Config
 from skylight_sh.config.wanted import table_names
 from skylight_sh.export import reserved
-from skylight_sh.export.targets import ALWAYS
+from skylight_sh.export.targets import ALWAYS, TARGETS
 from skylight_sh.formula.bases import BASES
 from skylight_sh.light.preetham import Preetham
 
@@ -215,6 +215,12 @@ def _export(config: Config) -> Iterator[Problem]:
     export = config.export
     if not set(ALWAYS) <= set(export.targets):
         yield Problem("$.export.targets", list(export.targets), 'Every run ships the header and the NPZ. Add "c" and "npz".')
+    scene = config.scene.model_dump(mode="json")
+    for name in dict.fromkeys(export.targets):
+        # What every run ships fits every light.
+        why = None if name in ALWAYS else TARGETS[name].misfit(config.light, scene)
+        if why:
+            yield Problem("$.export.targets", list(export.targets), f'"{name}": {why}, or "{name}" out of export.targets.')
     if export.prefix.startswith(("gl_", "webgl_")) or "__" in export.prefix or export.prefix.endswith("_"):
         remedy = "C++ or shading languages reserve it: no gl_, webgl_, __ or _ at the end."
         yield Problem("$.export.prefix", export.prefix, remedy)

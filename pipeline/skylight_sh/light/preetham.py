@@ -194,6 +194,18 @@ def _tables(constants: str, rank: int) -> tuple[Array, Array]:
     return np.array(_PEREZ[constants]).reshape(5, 3, 2, *ones), zenith.reshape(*zenith.shape, *ones)
 
 
+def constants_of(constants: str) -> tuple[Array, Array]:
+    """Return a constant set's Perez rows ``(A..E, Y x y, slope and offset)`` and its zenith chromaticity.
+
+    The latter has shape ``(x y, tau^2..1, theta^3..1)``.
+
+    >>> perez, zenith = constants_of("published")
+    >>> perez[0, 0].tolist(), zenith[0, 2].tolist()
+    ([0.1787, -1.463], [0.11693, -0.21196, 0.06052, 0.25886])
+    """
+    return np.array(_PEREZ[constants]).reshape(5, 3, 2), np.array(_ZENITH[constants])
+
+
 def zenith_luminance(theta: Floats, tau: Floats) -> Floats:
     """Return the zenith luminance in cd/m2 (Preetham et al. 1999, appendix A.2; the whole sum is in kcd/m2)."""
     chi = (4.0 / 9.0 - tau / 120.0) * (np.pi - 2.0 * theta)

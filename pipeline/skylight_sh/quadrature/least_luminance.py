@@ -28,25 +28,25 @@ def refine(light: Light, parameters: Parameters, directions: Array, least: Array
     zenith = np.arctan2(np.hypot(directions[:, 0], directions[:, 1]), directions[:, 2])
     azimuth = np.arctan2(directions[:, 1], directions[:, 0])
     best = least.copy()
-    shaped = {name: values[:, np.newaxis] for name, values in parameters.items()}
     offsets = np.array([(i, j) for i in (-1, 0, 1) for j in (-1, 0, 1) if (i, j) != (0, 0)], dtype=np.float64)
     step = _FIRST_STEP
     while step >= _LAST_STEP:
-        # Several moves a step, since a start can lie a few steps from its valley's floor.
+        moving = np.arange(best.size)
+        # Several moves a step, since a start can lie a few steps from its valley's floor; who stays would stay again.
         for _ in range(3):
             # A turn in azimuth covers little ground near the zenith, hence the larger angle there.
-            around = step / np.maximum(np.sin(zenith), step)
-            z = np.clip(zenith[:, np.newaxis] + step * offsets[:, 0], 0.0, np.pi / 2)
-            a = azimuth[:, np.newaxis] + around[:, np.newaxis] * offsets[:, 1]
+            around = step / np.maximum(np.sin(zenith[moving]), step)
+            z = np.clip(zenith[moving, np.newaxis] + step * offsets[:, 0], 0.0, np.pi / 2)
+            a = azimuth[moving, np.newaxis] + around[:, np.newaxis] * offsets[:, 1]
             tried = np.stack([np.sin(z) * np.cos(a), np.sin(z) * np.sin(a), np.maximum(np.cos(z), 0.0)], axis=-1)
-            values = light.radiance(tried, shaped) @ light.luminance_row
-            choice = values.argmin(axis=1)
-            rows = np.arange(choice.size)
-            better = values[rows, choice] < best
-            if not better.any():
+            named = {name: values[moving, np.newaxis] for name, values in parameters.items()}
+            luminance = light.radiance(tried, named) @ light.luminance_row
+            choice = luminance.argmin(axis=1)[:, np.newaxis]
+            lowest, z, a = (np.take_along_axis(values, choice, axis=1)[:, 0] for values in (luminance, z, a))
+            better = lowest < best[moving]
+            moving = moving[better]
+            best[moving], zenith[moving], azimuth[moving] = lowest[better], z[better], a[better]
+            if not moving.size:
                 break
-            best = np.where(better, values[rows, choice], best)
-            zenith = np.where(better, z[rows, choice], zenith)
-            azimuth = np.where(better, a[rows, choice], azimuth)
         step /= 3.0
     return best

@@ -16,6 +16,8 @@ from skylight_sh.sphere import Harmonics
 
 Array = NDArray[np.float64]
 
+_SHARPENED_AT_ONCE = 4096
+
 
 @dataclass(frozen=True)
 class Job:
@@ -77,7 +79,24 @@ def sample_block(job: Job) -> Samples:
     >>> sample_block(job).least.round(4).tolist()
     [[0.3333]]
     """
-    samples = project_block(job)
-    flat = {name: job.values[..., i].ravel() for i, name in enumerate(job.names)}
-    lowest = least_luminance.refine(job.light, flat, samples.least_direction.reshape(-1, 3), samples.least.ravel())
-    return replace(samples, least=lowest.reshape(samples.least.shape))
+    return sharpened(job.light, job.names, job.values, project_block(job))
+
+
+def sharpened(light: Light, names: Sequence[str], sets: Array, samples: Samples) -> Samples:
+    """Return ``samples`` ``(...)`` of parameter ``sets`` ``(..., axes)`` with each one's least luminance sharpened.
+
+    Many sets at once take a fifth of the time that blocks of some thirty do.
+
+    >>> from skylight_sh.light.cie_traditional import CieTraditional
+    >>> job = Job(CieTraditional(sky="overcast"), ("sun_zenith",), np.array([[[0.4]]]), 24, Harmonics.even(2))
+    >>> sharpened(job.light, job.names, job.values, project_block(job)).least.round(4).tolist()
+    [[0.3333]]
+    """
+    shape = samples.least.shape
+    flat, starts, least = sets.reshape(-1, len(names)), samples.least_direction.reshape(-1, 3), samples.least.ravel()
+    parts = []
+    for start in range(0, least.size, _SHARPENED_AT_ONCE):
+        part = slice(start, start + _SHARPENED_AT_ONCE)
+        named = {name: flat[part, i] for i, name in enumerate(names)}
+        parts.append(least_luminance.refine(light, named, starts[part], least[part]))
+    return replace(samples, least=np.concatenate(parts).reshape(shape))

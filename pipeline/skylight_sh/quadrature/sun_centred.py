@@ -8,6 +8,8 @@ factors of g and waves of psi, so a sum costs N per sample instead of N*N; one r
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -21,16 +23,36 @@ Array = NDArray[np.float64]
 
 # Grading powers towards the horizon, and nodes relative to the arcs' (the hardest piece): measured on the Preetham sky.
 _RING_POWER = 3
-_WAVE_POWER = 2
+WAVE_POWER = 2
 _RING_SHARE = 0.75
 _WAVE_SHARE = 0.8
 
 
-def project(light: Light, parameters: Parameters, *, nodes: int, harmonics: sphere.Harmonics) -> Samples:
+@dataclass(frozen=True)
+class Nodes:
+    """Gauss nodes of the circles' g, of the arcs' u and of psi on either; ``power`` grades the circles to the horizon."""
+
+    circles: int
+    arcs: int
+    waves: int
+    power: int = _RING_POWER
+
+    @classmethod
+    def usual(cls, arcs: int) -> Nodes:
+        """Return the rule's shares for so many nodes over the arcs.
+
+        >>> Nodes.usual(32)
+        Nodes(circles=24, arcs=32, waves=26, power=3)
+        """
+        return cls(max(8, round(_RING_SHARE * arcs)), arcs, max(8, round(_WAVE_SHARE * arcs)))
+
+
+def project(light: Light, parameters: Parameters, *, nodes: int | Nodes, harmonics: sphere.Harmonics) -> Samples:
     """Integrate radiance times ``y_lm`` over the upper hemisphere for ``g`` groups of ``k`` parameter sets.
 
     Every parameter has shape ``(g, k)``, the peak's zenith angle (``light.hints.peak_axis``, radians, 0 where there
-    is none) ``(g, 1)``: one set of nodes serves a group. ``nodes`` is the number of Gauss nodes over the arcs.
+    is none) ``(g, 1)``: one set of nodes serves a group. ``nodes`` is the number of Gauss nodes over the arcs, or
+    those of everything.
     Where the ``harmonics`` are those even in y alone, half the sky is sampled. The README's conventions hold.
 
     The zonal weights of an overcast sky, (1 + 2 z) / 3:
@@ -47,7 +69,7 @@ def project(light: Light, parameters: Parameters, *, nodes: int, harmonics: sphe
     shaped = {name: values[..., np.newaxis] for name, values in parameters.items()}
     least, least_direction = np.full(sets, np.inf), np.zeros((*sets, 3))
     total = np.zeros((theta.size, sets[1] * len(light.channels), harmonics.count))
-    for g, psi, weight in _pieces(theta, nodes):
+    for g, psi, weight in _pieces(theta, Nodes.usual(nodes) if isinstance(nodes, int) else nodes):
         sides = []
         for side in harmonics.sides:
             directions = _directions(theta, g, side * psi).reshape(theta.size, 1, -1, 3)
@@ -74,24 +96,24 @@ def half_sky(theta: float, nodes: int) -> tuple[Array, Array]:
     1.0
     """
     peak = np.full(1, theta)
-    pieces = _pieces(peak, nodes)
+    pieces = _pieces(peak, Nodes.usual(nodes))
     directions = [_directions(peak, g, psi).reshape(-1, 3) for g, psi, _ in pieces]
     return np.concatenate(directions), 2.0 * np.concatenate([weight.ravel() for *_, weight in pieces])
 
 
-def _pieces(theta: Array, nodes: int) -> list[tuple[Array, Array, Array]]:
+def _pieces(theta: Array, nodes: Nodes) -> list[tuple[Array, Array, Array]]:
     """Nodes g ``(groups, i)``, psi and weights ``(groups, i, j)`` over psi >= 0 of the full circles, and of the arcs.
 
     The circles' psi are the same ones for all, ``(1, 1, j)``.
     """
-    waves, wave_weights = _graded(max(8, round(_WAVE_SHARE * nodes)), _WAVE_POWER)
-    rings, ring_weights = _graded(max(8, round(_RING_SHARE * nodes)), _RING_POWER)
+    waves, wave_weights = graded(nodes.waves, WAVE_POWER)
+    rings, ring_weights = graded(nodes.circles, nodes.power)
     reach = (np.pi / 2 - theta)[:, np.newaxis]
     g = reach * rings
     psi = np.pi * waves[np.newaxis, np.newaxis]
     weight = (reach * ring_weights * np.sin(g))[..., np.newaxis] * (np.pi * wave_weights)
 
-    x, v = sphere.gauss(nodes)
+    x, v = sphere.gauss(nodes.arcs)
     u = np.pi / 2 * x
     h = theta[:, np.newaxis] * np.sin(u)
     with np.errstate(invalid="ignore"):
@@ -101,8 +123,13 @@ def _pieces(theta: Array, nodes: int) -> list[tuple[Array, Array, Array]]:
     return [(g, psi, weight), (np.pi / 2 + h, psi_max * waves, arc[..., np.newaxis] * psi_max * wave_weights)]
 
 
-def _graded(n: int, power: int) -> tuple[Array, Array]:
-    """Gauss-Legendre on [0, 1] in ``1 - (1 - t)**power``, dense towards 1."""
+def graded(n: int, power: int) -> tuple[Array, Array]:
+    """Return ``n`` Gauss-Legendre nodes on [0, 1] in ``1 - (1 - t)**power``, dense towards 1, and their weights.
+
+    >>> nodes, weights = graded(8, 2)
+    >>> float((weights @ nodes).round(12))
+    0.5
+    """
     t, w = sphere.gauss_unit(n)
     rest = t[::-1].copy()
     return 1.0 - rest**power, w * power * rest ** (power - 1)

@@ -25,7 +25,7 @@ class Entry:
     """A table with its measured errors.
 
     ``e_max``, ``e_mean`` ``(conventions, channels, bands)``, ``rel_l2`` ``(channels, bands)``, ``at`` ``(conventions,
-    channels, bands, axes)``; ``per_set`` ``(sets,)`` the E_mean of each verification set.
+    channels, bands, axes)``; ``per_set`` ``(sets,)`` the E_mean of each verification set, where a picture shows it.
     """
 
     name: str
@@ -34,7 +34,7 @@ class Entry:
     e_mean: Array
     rel_l2: Array
     at: Array
-    per_set: Array
+    per_set: Array | None = None
     condition: float | None = None
 
     @property

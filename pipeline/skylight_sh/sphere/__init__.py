@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from skylight_sh.sphere._nonnegative import minimum, nonnegative_smoothing
     from skylight_sh.sphere._orders import Harmonics, bands_of, check_bands, flat_index
     from skylight_sh.sphere._product import Gaunt, gaunt, multiplication, product
-    from skylight_sh.sphere._rotation import rotate_azimuth, rotate_y, rotate_zyz, zyz_matrix
+    from skylight_sh.sphere._rotation import generator_vectors, rotate_azimuth, rotate_y, rotate_zyz, zyz_matrix
     from skylight_sh.sphere._visibility import cover, horizon
     from skylight_sh.sphere._windows import hann_window, lanczos_window, laplacian_window, sinc_window, zonal_sinc
     from skylight_sh.sphere._zonal import aim, cap
@@ -49,6 +49,7 @@ __all__ = [
     "gaunt",
     "gauss",
     "gauss_unit",
+    "generator_vectors",
     "hann_window",
     "horizon",
     "irradiance",

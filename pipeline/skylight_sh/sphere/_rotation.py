@@ -112,7 +112,7 @@ def _turn_y(l: int, first: int, angles: Array) -> Array:
     The generator is tridiagonal with integer eigenvalues, known exactly; its eigenvectors are free of the angle
     and give every matrix at once (Feng, Wang, Yang and Jin 2015, for Wigner's d), without a recurrence in l.
     """
-    vectors = _generator_vectors(l, first)
+    vectors = generator_vectors(l, first)
     size = l + 1 - first
     turns = np.arange(1 - size, size, 2) * angles[:, np.newaxis]
     even = (vectors * np.cos(turns)[:, np.newaxis, :]) @ vectors.T
@@ -123,8 +123,16 @@ def _turn_y(l: int, first: int, angles: Array) -> Array:
 
 
 @lru_cache(maxsize=512)
-def _generator_vectors(l: int, first: int) -> Array:
+def generator_vectors(l: int, first: int) -> Array:
+    """Return the eigenvectors of the turn about y at degree l, for orders |m| = first..l: columns, eigenvalues rising by 2.
+
+    With ``first`` = 0 these are the orders m >= 0 and the eigenvalues -l..l. Each column's sign is free.
+
+    >>> np.abs(generator_vectors(1, 0)).round(4).tolist()
+    [[0.7071, 0.7071], [0.7071, 0.7071]]
+    """
     m = np.arange(first, l)
     off = 0.5 * np.sqrt((l - m) * (l + m + 1.0)) * np.where(m == 0, np.sqrt(2.0), 1.0)
     vectors: Array = np.linalg.eigh(np.diag(off, 1) + np.diag(off, -1))[1]
+    vectors.setflags(write=False)
     return vectors

@@ -33,21 +33,24 @@ def publish(
     folder: Path,
     title: str,
     lead: str,
-    sections: Sequence[Callable[[], Section]],
+    sections: Sequence[Callable[[], Section | Sequence[Section]]],
     advance: Callable[[int, int], None],
 ) -> str:
     """Measure on one thread, then write ``index.html``, a CSV a section and its picture; return all sections as text."""
     from skylight_sh.report import style
     from skylight_sh.run.blas import one_thread
 
-    measured = []
+    measured: list[Section] = []
     with one_thread():
         for done, measure in enumerate(sections):
             advance(done, len(sections))
-            measured.append(measure())
+            found = measure()
+            measured += [found] if isinstance(found, Section) else found
     advance(len(sections), len(sections))
     folder.mkdir(parents=True, exist_ok=True)
     shown = []
+    # A section that measures nothing of this config has no rows.
+    measured = [section for section in measured if section.rows]
     for section in measured:
         tabular.save(folder / f"{section.name}.csv", section.rows)
         if section.draw:

@@ -39,12 +39,12 @@ class Subject:
 
 @dataclass(frozen=True)
 class Study:
-    """A page of measurements: its folder's ``name``, ``title`` and ``lead``, and what measures each section."""
+    """A page of measurements: its folder's ``name``, ``title`` and ``lead``, and what measures each section, or several."""
 
     name: str
     title: str
     lead: str
-    sections: Sequence[Callable[[Subject], Section]]
+    sections: Sequence[Callable[[Subject], Section | Sequence[Section]]]
 
 
 def run(study: Study, config: Config, reports: Path, advance: Callable[[int, int], None], repeats: int = 1) -> str:

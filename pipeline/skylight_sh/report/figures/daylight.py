@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from numpy.typing import NDArray
 
 from skylight_sh.report import style
 from skylight_sh.report.figures.picture import Picture
@@ -33,8 +34,8 @@ def draw(data: ReportData) -> Figure | None:
     theta = np.radians(np.linspace(0.0, 90.0, 46))
     height = 90.0 - np.degrees(theta)
     sinks = data.best.table.spec.twilight
-    figure = style.figure(16 if sinks else 12, 4.2)
-    panels = figure.subplots(1, 4 if sinks else 3)
+    figure, placed = style.panels(16 if sinks else 12, 4.2, columns=4 if sinks else 3, gap=(0.65, 0.0))
+    panels = placed[0]
     wanted = sorted({low, (low + high) / 2, high})
     found = {tau: clear_day.clear_day(theta, tau) for tau in wanted}
     published = clear_day.published(theta)
@@ -57,13 +58,20 @@ def draw(data: ReportData) -> Figure | None:
     return figure
 
 
+def faded(lux: float, depth: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the light on the horizontal, ``lux`` at sunset, with the sun ``depth`` radians below the horizon.
+
+    >>> faded(1000.0, np.radians([0.0, 6.0, 12.0])).round(1).tolist()
+    [1000.0, 5.9, 0.0]
+    """
+    return np.asarray(lux * twilight.fade(np.minimum(depth / twilight.DEPTH, 1.0)))
+
+
 def _fade(panel: Axes, sunset: dict[float, float]) -> None:
     """Draw lux against the sun's depth, from those at sunset for each turbidity."""
     depth = np.radians(np.linspace(0.0, 12.0, 121))
     for (tau, lux), color in zip(sunset.items(), style.SERIES, strict=False):
-        panel.semilogy(
-            np.degrees(depth), lux * twilight.fade(twilight.BEGIN + depth), color=color, label=f"turbidity {tau:g}"
-        )
+        panel.semilogy(np.degrees(depth), faded(lux, depth), color=color, label=f"turbidity {tau:g}")
     panel.semilogy(np.degrees(depth), clear_day.twilight(depth), color=style.BLACK, linestyle=":", label="measured")
     panel.set_ylim(1e-3, 3e4)
     panel.set_title("twilight", fontsize=10)

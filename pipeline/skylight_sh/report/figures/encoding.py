@@ -34,8 +34,9 @@ def draw(data: ReportData) -> Figure:
     """Draw undershoot over bands, and the four expansions."""
     pictures = _pictures(data)
     row = data.light.luminance_row
-    figure = style.figure(17, 3.2)
-    curves, *panels = figure.subplots(1, 1 + len(pictures), width_ratios=(1.5, *(1.0,) * len(pictures)))
+    ratios = (1.5, *(1.0,) * len(pictures))
+    figure, placed = style.panels(17, 3.2, columns=len(ratios), left=1.0, top=0.45, gap=(0.55, 0.0), width_ratios=ratios)
+    curves, *panels = placed[0]
     for k, (name, (pixels, sigma)) in enumerate(pictures.items()):
         weights = probe.blur(probe.project(pixels, "equirect", _BANDS[-1]), sigma)
         lows = []
@@ -56,7 +57,7 @@ def draw(data: ReportData) -> Figure:
     curves.yaxis.set_major_formatter(style.percent_ticks())
     curves.axhline(0.0, color="grey", linewidth=0.6)
     curves.set_xlabel("bands")
-    curves.set_ylabel("undershoot (of the largest of the same expansion)", fontsize=8)
+    curves.set_ylabel("undershoot (of the largest\nof the same expansion)", fontsize=8)
     curves.legend(fontsize=7)
     return figure
 

@@ -21,20 +21,20 @@ CAPTION = (
 
 def draw(data: ReportData) -> Figure:
     """Draw one map a winner, or one line where there is one axis."""
-    fast = [entry for entry in data.winners if entry.table.body.kind == "rows"]
-    entries = fast or list(data.winners)
+    found = [(entry, entry.per_set) for entry in data.winners if entry.per_set is not None]
+    entries = [entry for entry, _ in found]
     if len(data.axes) == 1:
-        return _lines(data, entries)
+        return _lines(data, found)
     columns = min(4, len(entries))
     rows = -(-len(entries) // columns)
     width, height = 4.0 * columns, 3.3 * rows
     top = 0.4 if data.axes[2:] else 0.25
-    figure, found = style.panels(
+    figure, placed = style.panels(
         width, height, rows, columns, left=0.85, right=1.05, top=top, gap=(0.2, top + 0.05), sharex=True, sharey=True
     )
-    grids = [np.maximum(_grid(data, entry), 1e-12) for entry in entries]
+    grids = [np.maximum(_grid(data, per_set), 1e-12) for _, per_set in found]
     low, high = 100 * min(float(g.min()) for g in grids), 100 * max(float(g.max()) for g in grids)
-    panels: list[Axes] = list(found.ravel())
+    panels: list[Axes] = list(placed.ravel())
     first, second = data.axes[:2]
     for panel, entry, grid in zip(panels, entries, grids, strict=False):
         x, y = _shown(first, data.grid[0]), _shown(second, data.grid[1])
@@ -65,17 +65,17 @@ def draw(data: ReportData) -> Figure:
     return figure
 
 
-def _grid(data: ReportData, entry: Entry) -> np.ndarray:
+def _grid(data: ReportData, per_set: np.ndarray) -> np.ndarray:
     shape = tuple(nodes.size for nodes in data.grid)
-    values = entry.per_set[: int(np.prod(shape))].reshape(shape)
+    values = per_set[: int(np.prod(shape))].reshape(shape)
     return np.asarray(values.max(axis=tuple(range(2, len(shape)))) if len(shape) > 2 else values)
 
 
-def _lines(data: ReportData, entries: list[Entry]) -> Figure:
-    figure, found = style.panels(9, 4.5, top=0.15)
-    axes = found[0, 0]
-    for i, entry in enumerate(entries):
-        values = entry.per_set[: data.grid[0].size]
+def _lines(data: ReportData, found: list[tuple[Entry, np.ndarray]]) -> Figure:
+    figure, placed = style.panels(9, 4.5, top=0.15)
+    axes = placed[0, 0]
+    for i, (entry, per_set) in enumerate(found):
+        values = per_set[: data.grid[0].size]
         axes.semilogy(_shown(data.axes[0], data.grid[0]), values, color=style.SERIES[i % 7], label=entry.name)
     axes.set_xlabel(_label(data.axes[0]))
     axes.set_ylabel("E_mean (fraction of L_min)")

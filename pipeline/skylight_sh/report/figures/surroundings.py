@@ -42,8 +42,10 @@ def draw(data: ReportData) -> Figure | None:
     hidden = _picture(Surroundings(around.transfer).apply(even, table.bands))
     row = data.light.luminance_row
     azimuths = _AZIMUTHS if table.spec.azimuth is None else (float(np.degrees(table.spec.azimuth)),)
-    figure = style.figure(12, 2.3 * len(azimuths) + 0.7)
-    panels = figure.subplots(len(azimuths), 3, squeeze=False, sharex=True, sharey=True)
+    rows = len(azimuths)
+    figure, panels = style.panels(
+        12, 2.3 * rows + 0.7, rows, 3, bottom=0.45, top=0.75, gap=(0.15, 0.12), sharex=True, sharey=True
+    )
     for line, azimuth in zip(panels, azimuths, strict=True):
         turned = sphere.rotate_azimuth(still, np.radians(azimuth))
         sky, scene = _picture(turned), _picture(around.apply(turned, table.bands))

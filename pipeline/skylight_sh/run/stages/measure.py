@@ -41,6 +41,8 @@ def make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
     total = 1 + len(config.fit.references) + len(asked)
     advance(0, total)
     found = _swept(config, inputs, reference)
+    # A picture shows the errors of these on the grid: of fast tables, or of all where there is none.
+    mapped = {f"tables/{t.name}" for t in [t for t in asked if t.layout == "rows"] or asked}
     sources = [(f"references/{r.name}", "fit") for r in config.fit.references] + [
         (f"tables/{t.name}", "select") for t in asked
     ]
@@ -48,11 +50,13 @@ def make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
         advance(done, total)
         table = read_table(inputs[source], name)
         if source == "fit":
-            found |= _measured(name, table, reference, seen)
+            found |= _measured(name, table, reference)
         else:
             factors = window(scene, stored(table.spec, table.bands))
-            behind, behind_seen = (part.windowed(table.bands, factors) for part in (reference, seen))
-            found |= _measured(name, table, behind, behind_seen)
+            found |= _measured(name, table, reference.windowed(table.bands, factors))
+            if name in mapped:
+                per_set = measure(table, seen.windowed(table.bands, factors)).per_set
+                found[f"{name}/per_set"] = Variable(("set",), per_set)
             some = reference.parameters[:: max(1, len(reference.parameters) // _LEAST_SETS)]
             least = least_reconstructed(table, some, config.source.luminance_row)
             found[f"{name}/least"] = Variable((), np.array(least))
@@ -79,7 +83,7 @@ def _swept(config: Config, inputs: Inputs, reference: Reference) -> dict[str, Va
     }
 
 
-def _measured(name: str, table: Table, reference: Reference, seen: Reference) -> dict[str, Variable]:
+def _measured(name: str, table: Table, reference: Reference) -> dict[str, Variable]:
     measured = measure(table, reference)
     dims = ("l_min", "channel", "bands")
     return {
@@ -87,6 +91,4 @@ def _measured(name: str, table: Table, reference: Reference, seen: Reference) ->
         f"{name}/e_mean": Variable(dims, measured.e_mean),
         f"{name}/at": Variable((*dims, "axis"), reference.parameters[measured.at]),
         f"{name}/rel_l2": Variable(dims[1:], measured.rel_l2),
-        # A picture shows these; they lie on a grid.
-        f"{name}/per_set": Variable(("set",), measure(table, seen).per_set),
     }

@@ -94,6 +94,7 @@ def _entry(artifact: Dataset, measured: Dataset, start: str, name: str) -> Entry
     return Entry(
         name=name,
         table=read_table(artifact, start),
-        **{key: measured[f"{start}/{key}"] for key in ("e_max", "e_mean", "rel_l2", "at", "per_set")},
+        **{key: measured[f"{start}/{key}"] for key in ("e_max", "e_mean", "rel_l2", "at")},
+        per_set=measured[f"{start}/per_set"] if f"{start}/per_set" in measured.variables else None,
         condition=float(artifact[f"{start}/condition"]) if f"{start}/condition" in known else None,
     )

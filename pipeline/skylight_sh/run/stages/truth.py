@@ -112,13 +112,14 @@ def _sample(config: Config, sets: Array, inputs: Inputs, advance: Advance) -> tu
     tolerance = float(rule.attrs["tolerance"])
     jobs = [sampling.Job(light, names, sets[block], nodes, harmonics, name, tolerance) for block in blocks]
     results = map_tasks(
-        sampling.sample_block, jobs, executor=config.run.executor, workers=config.run.workers, advance=advance
+        sampling.project_block, jobs, executor=config.run.executor, workers=config.run.workers, advance=advance
     )
     shape = (len(sets), len(light.channels), harmonics.count)
     whole = Samples(np.empty(shape), np.empty(len(sets)), np.empty((len(sets), 3)), np.empty(len(sets)))
     for block, part in zip(blocks, results, strict=True):
         whole.weights[block], whole.least[block], whole.estimate[block] = part.weights, part.least, part.estimate
-    return whole, rule
+        whole.least_direction[block] = part.least_direction
+    return sampling.sharpened(light, names, sets, whole), rule
 
 
 def _dataset(

@@ -1,192 +1,96 @@
-"""Evaluation: every table's header beside the paper-literal scheme and beside lookup tables, warm and with a cold cache."""
+"""Evaluation: every table and rival warm and with a cold cache, in three builds; and table against rival, pair by pair."""
 
 from __future__ import annotations
 
-import statistics
-import subprocess
-import tempfile
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
-from itertools import chain, islice, repeat
-from pathlib import Path
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-import numpy as np
-from numpy.typing import NDArray
-
-from skylight_sh import sphere
-from skylight_sh.export import paper_literal
-from skylight_sh.fit.errors import e_mean
-from skylight_sh.quadrature import parameter_points as parameter_sets
-from skylight_sh.runtime import Table
-from skylight_sh.studies import compiled, single_fit
-from skylight_sh.studies.grid_samples import Samples
 from skylight_sh.studies.page import Row, Section
-from skylight_sh.studies.speed import lookup
-from skylight_sh.table.size import bytes_of
+from skylight_sh.studies.speed.contest import LITERAL, OURS, Contest
+from skylight_sh.studies.timing import NOISY, Spread
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-Array = NDArray[np.float64]
-
-LITERAL = "paper-literal"
-TEXT = (
-    "One call: inputs to all weights, azimuth rotation included, float inputs, cc -O3 (`native`: and -march=native), "
-    "median over rounds that time every program in turn, with the least and the most of the rounds' ratios. `cold` is one "
-    "call after 64 MB of other memory was read, since a frame asks once. `paper-literal` is the 2008 scheme: monomials of "
-    "degree (13, 7) in double precision, all orders. `lookup` is a table over a regular grid of the axes, interpolated "
-    "linearly or cubically: the paper's naive tabulation. E_mean is of what the program returns."
+CALLS_TEXT = (
+    "One call: inputs to all weights, azimuth rotation included, over sets of inputs that fill the ranges, in nanoseconds "
+    "of the thread's CPU clock. All candidates of a build run in one process and take turns in every round; figures are "
+    "medians over rounds, `spread` their interquartile range over the median, `noisy` what spreads by a tenth or more. "
+    "`times faster` is than `paper-literal`, round by round. `cold` is a call after 64 MB of other memory was written, "
+    "since a frame asks once; a round's figure is the median of seven. Builds: cc -O3 (`portable`), and -mavx2 -mfma, and "
+    "-march=native. `code` is the call's machine code at -O3, beside the bytes of its constants. `paper-literal` is the "
+    "2008 scheme: monomials of degree (13, 7) in double precision, all orders; `paper-well-written` has the same "
+    "polynomials over scaled parameters in float32, orders m >= 0, powers shared, within a few per cent of the fastest of "
+    "six writings. `unpack` decodes a packed table, an `unpacked table` is a call after that, its bytes the memory. A "
+    "`lookup` is the smallest table on a grid of the product's own variables, divided by its factor, whose error is the "
+    "table's. `brute force` evaluates the sky and sums. E_mean is of what the program returns."
 )
-_FLAGS = {"portable": ["-O3"], "native": ["-O3", "-march=native"]}
-_CALLS = 50_000
-_COLD = 60
-_PROGRAM = """
-#include <stdio.h>
-#include <stdlib.h>
-#include <time.h>
-#include "table.h"
-static double now(void)
-{{
-    struct timespec t;
-    timespec_get(&t, TIME_UTC);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}}
-static int compare(const void *a, const void *b)
-{{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}}
-int main(void)
-{{
-    static float w[BENCH_SH_CHANNELS][BENCH_SH_WEIGHTS];
-    static double cold[{cold}];
-    const size_t flushed = (size_t)64 << 20;
-    unsigned char *other = calloc(flushed, 1);
-    float sum = 0.0f;
-    double start;
-    int run, i;
-    size_t j;
-    if (!other) return 1;
-    for (run = 0; run < 2; ++run) {{
-        start = now();
-        for (i = 0; i < {calls}; ++i) {{
-            const float x = (float)((i * 7919) % {calls}) / {calls}.0f;
-            bench_sh_weights({arguments}, w);
-            /* Every store counts: without this a compiler drops those that nobody reads. */
-            __asm__ volatile("" : : "g"(w) : "memory");
-            sum += w[0][1] + w[BENCH_SH_CHANNELS - 1][BENCH_SH_WEIGHTS - 1];
-        }}
-    }}
-    printf("%.9g\\n", (now() - start) / {calls}.0);
-    for (i = 0; i < {cold}; ++i) {{
-        const float x = (float)i / {cold}.0f;
-        for (j = 0; j < flushed; j += 64) other[j] = (unsigned char)(other[j] + 1);
-        start = now();
-        bench_sh_weights({arguments}, w);
-        cold[i] = now() - start;
-        sum += w[0][1];
-    }}
-    qsort(cold, {cold}, sizeof *cold, compare);
-    printf("%.9g\\n", cold[{cold} / 2]);
-    free(other);
-    return sum == 12345.0f;
-}}
-"""
+RIVALS_TEXT = (
+    "Each table against those of as many bands: how many times as long the rival takes, and how many times as many bytes "
+    "of constants it reads. Below 1 the rival wins. Lookup tables and `direct` are as exact as the table; the paper's "
+    "scheme and brute force are what they are. All ratios are from the rounds of `evaluation`."
+)
 
 
-@dataclass(frozen=True)
-class Candidate:
-    """Something with the tables' API: its header, bytes of constants, and the bands it returns."""
+def calls(contest: Contest) -> Section:
+    """Return what each candidate costs in each build."""
+    rows: list[Row] = []
+    for name, candidate in contest.candidates.items():
+        for build, result in contest.results.items():
+            figures = {"": (result.warm.time(name), result.warm.times_faster(name, LITERAL))}
+            if result.cold:
+                figures["cold "] = (result.cold.time(name), result.cold.times_faster(name, LITERAL))
+            row: dict[str, object] = {
+                "table": name,
+                "build": build,
+                "bytes": candidate.bytes,
+                "code": contest.code[name],
+                "E_mean": contest.errors[name],
+            }
+            noisy: list[str] = []
+            for kind, (time, ratio) in figures.items():
+                row |= {f"{kind}ns": 1e9 * time.median, f"{kind}spread": time.spread}
+                row |= {f"{kind}times faster": ratio.median, f"{kind}ratio's spread": ratio.spread}
+                noisy += [f"{kind}{what}" for what, figure in (("ns", time), ("ratio", ratio)) if figure.noisy]
+            rows.append(row | {"noisy": ", ".join(noisy)})
+    return Section("evaluation", "Evaluation: error against time and bytes", f"{CALLS_TEXT} {told(contest)}", rows, _draw)
 
-    header: str
-    bytes: int
-    bands: int
+
+def rivals(contest: Contest) -> Section:
+    """Return each table against each of its rivals."""
+    rows: list[Row] = []
+    for name, candidate in contest.candidates.items():
+        for rival in contest.rivals(name) if candidate.kind in OURS else []:
+            ratios: dict[str, Spread] = {}
+            for build, result in contest.results.items():
+                ratios[build] = result.warm.times_faster(name, rival)
+                if result.cold:
+                    ratios[f"{build}, cold"] = result.cold.times_faster(name, rival)
+            row: dict[str, object] = {"table": name, "rival": rival}
+            row |= {"bytes": contest.candidates[rival].bytes / candidate.bytes}
+            for label, ratio in ratios.items():
+                row |= {label: ratio.median, f"{label}: spread": ratio.spread}
+            row["rival wins"] = ", ".join(label for label, ratio in ratios.items() if ratio.high < 1.0)
+            rows.append(row | {"noisy": ", ".join(label for label, ratio in ratios.items() if ratio.noisy)})
+    return Section("rivals", "Tables against their rivals", RIVALS_TEXT, rows)
 
 
-def section(samples: Samples, tables: Mapping[str, Table], repeats: int) -> Section:
-    """Time all candidates in turn and measure what they return."""
-    candidates = {LITERAL: literal(samples)}
-    candidates |= {
-        name: Candidate(compiled.header_of(table), bytes_of(table), table.bands) for name, table in tables.items()
-    }
-    candidates |= _lookups(samples)
-    source = program_of([(a.name, *a.range) for a in samples.config.axes], fixed_azimuth=False)
-    warm: dict[tuple[str, str], list[float]] = {}
-    cold: dict[str, list[float]] = {name: [] for name in candidates}
-    with tempfile.TemporaryDirectory() as folder:
-        made = {
-            (label, name): compiled.program(candidate.header, source, Path(folder) / f"{i}{label}", flags)
-            for label, flags in _FLAGS.items()
-            for i, (name, candidate) in enumerate(candidates.items())
-        }
-        for _ in range(repeats):
-            for (label, name), program in made.items():
-                out = subprocess.run([str(program)], check=True, capture_output=True, text=True).stdout.split()
-                warm.setdefault((label, name), []).append(float(out[0]))
-                if label == "portable":
-                    cold[name].append(float(out[1]))
-        errors = {name: _error(samples, c, Path(folder) / "run") for name, c in candidates.items()}
-    rows = [
-        {
-            "table": name,
-            "bytes": candidate.bytes,
-            "E_mean": errors[name],
-            "ns": 1e9 * statistics.median(warm["portable", name]),
-            **_ratios("times faster", warm["portable", LITERAL], warm["portable", name]),
-            "native ns": 1e9 * statistics.median(warm["native", name]),
-            **_ratios("native times faster", warm["native", LITERAL], warm["native", name]),
-            "cold ns": 1e9 * statistics.median(cold[name]),
-            **_ratios("cold times faster", cold[LITERAL], cold[name]),
-        }
-        for name, candidate in candidates.items()
+def told(contest: Contest) -> str:
+    """Say how many timings were dropped, and how many ratios are flagged."""
+    dropped, total = contest.timings
+    found = [
+        laps.times_faster(name, LITERAL)
+        for result in contest.results.values()
+        for laps in (result.warm, result.cold)
+        if laps
+        for name in contest.candidates
+        if name != LITERAL
     ]
-    return Section("evaluation", "Evaluation: error against time and bytes", TEXT, rows, _draw)
-
-
-def program_of(axes: Sequence[tuple[str, float, float]], fixed_azimuth: bool) -> str:
-    """Return a program that times a header over ``axes`` (name, low, high) and prints seconds a call, warm and cold."""
-    inputs = [f"{low:.9e}f + {high - low:.9e}f * x" for _, low, high in axes]
-    arguments = ", ".join([inputs[0], *([] if fixed_azimuth else ["6.0f * x"]), *inputs[1:]])
-    return _PROGRAM.format(calls=_CALLS, cold=_COLD, arguments=arguments)
-
-
-def _ratios(name: str, base: Sequence[float], other: Sequence[float]) -> dict[str, float]:
-    """Median, least and most of the ratios round by round: a machine that slows down slows both."""
-    found = [b / o for b, o in zip(base, other, strict=True)]
-    return {name: statistics.median(found), f"{name}, least": min(found), f"{name}, most": max(found)}
-
-
-def literal(samples: Samples) -> Candidate:
-    """Return the paper's scheme on these samples: monomials in double precision, every order kept."""
-    made = single_fit.fit(samples, samples.full, single_fit.paper_degrees(samples), "monomial", "svd", "raw")
-    names = [axis.name for axis in samples.config.axes]
-    text = paper_literal.write(made.dense, names, samples.spec.channels, compiled.PREFIX)
-    return Candidate(text, made.dense.nbytes, samples.config.truth.bands)
-
-
-def _lookups(samples: Samples) -> dict[str, Candidate]:
-    config, bands = samples.config, samples.config.truth.bands
-    degrees = [min(a.degrees[1], n.size - 1) for a, n in zip(config.axes, samples.nodes, strict=True)]
-    whole = single_fit.fit(samples, samples.half, degrees, "chebyshev", "svd", single_fit.OWN)
-    found = {}
-    for fineness in (1, 2, 4):
-        sizes = [max(4, fineness * n) for n in list(islice(chain((16, 6), repeat(3)), len(config.axes)))]
-        nodes = [np.linspace(*axis.range, n) for axis, n in zip(config.axes, sizes, strict=True)]
-        sets = parameter_sets.grid(nodes)
-        values = np.asarray(single_fit.table_of(samples, whole, "float64").evaluate(sets), dtype=np.float64)
-        for kind in lookup.POINTS:
-            text = lookup.header(whole.axes, sizes, values.reshape(*sizes, *values.shape[1:]), bands, kind)
-            found[f"lookup {' x '.join(map(str, sizes))}, {kind}"] = Candidate(text, 4 * values.size, bands)
-    return found
-
-
-def _error(samples: Samples, candidate: Candidate, place: Path) -> float:
-    inputs = np.insert(samples.reference.parameters, 1, 0.0, axis=1).astype(np.float32)
-    got = compiled.weights(candidate.header, inputs, place, ["-O2"])
-    held = sphere.Harmonics.even(candidate.bands)
-    truth = held.unmirror(samples.reference.weights[..., : held.count])
-    return e_mean(got - truth, samples.reference.headline)
+    noisy = sum(ratio.noisy for ratio in found)
+    return (
+        f"{dropped:,} of {total:,} timings were disturbed by other work, and dropped; {noisy} of {len(found)} ratios "
+        f"spread by {100 * NOISY:.0f} % or more, and are flagged."
+    )
 
 
 def _draw(rows: Sequence[Row]) -> Figure:
@@ -194,15 +98,16 @@ def _draw(rows: Sequence[Row]) -> Figure:
 
     figure = style.figure(12, 5.2)
     left, right = figure.subplots(1, 2, sharey=True)
-    for row in rows:
+    labels = ("the paper's scheme", "lookup tables", "no table", "this pipeline")
+    for row in (row for row in rows if row["build"] == "portable" and row["E_mean"] is not None):
         name = str(row["table"])
-        group = 0 if name == LITERAL else 1 if name.startswith("lookup") else 2
-        label = (LITERAL, "lookup tables", "this pipeline")[group]
+        group = _group(name)
         for panel, key in ((left, "ns"), (right, "bytes")):
-            panel.loglog(row[key], row["E_mean"], style.MARKERS[group], color=style.SERIES[group], markersize=8, label=label)
-            if group != 1:
+            style_of = {"color": style.SERIES[group], "markersize": 8, "label": labels[group]}
+            panel.loglog(row[key], row["E_mean"], style.MARKERS[group], **style_of)
+            if group in (0, 3):
                 panel.annotate(name, (row[key], row["E_mean"]), fontsize=7, xytext=(5, 4), textcoords="offset points")
-    left.set_xlabel("nanoseconds a call, warm")
+    left.set_xlabel("nanoseconds a call, warm, -O3")
     right.set_xlabel("bytes of constants")
     left.set_ylabel("largest E_mean of what is returned")
     left.yaxis.set_major_formatter(style.percent_ticks())
@@ -211,3 +116,11 @@ def _draw(rows: Sequence[Row]) -> Figure:
     handles = dict(zip(*reversed(left.get_legend_handles_labels()), strict=True))
     left.legend(handles.values(), handles.keys(), fontsize=8)
     return figure
+
+
+def _group(name: str) -> int:
+    if name.startswith("paper"):
+        return 0
+    if ": lookup" in name:
+        return 1
+    return 2 if name.startswith("brute") or name.endswith(": direct") else 3

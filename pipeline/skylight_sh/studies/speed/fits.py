@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import statistics
 from collections.abc import Callable, Sequence
 from functools import partial
 from typing import TYPE_CHECKING
@@ -11,10 +12,9 @@ import numpy as np
 
 from skylight_sh.fit import least_squares
 from skylight_sh.formula.bases import BASES
-from skylight_sh.studies import single_fit
+from skylight_sh.studies import single_fit, timing
 from skylight_sh.studies.grid_samples import Samples
 from skylight_sh.studies.page import Row, Section
-from skylight_sh.studies.timing import medians
 from skylight_sh.table.errors import headline
 
 if TYPE_CHECKING:
@@ -46,11 +46,13 @@ def section(samples: Samples, repeats: int) -> Section:
             calls[name] = partial(least_squares.fit_tensor, right, matrices)
             whole = dataclasses.replace(made, dense=least_squares.fit_tensor(right, matrices).reshape(made.dense.shape))
             errors[name] = headline(single_fit.table_of(samples, whole, "float64"), samples.reference)
-    seconds = medians(calls, repeats)
-    rows = [
-        {"fit": name, "ms": 1e3 * seconds[name], "E_mean": errors[name], "paper ratio": seconds[_FIRST] / seconds[name]}
-        for name in calls
-    ]
+    times = timing.rounds(calls, repeats)
+    rows: list[Row] = []
+    for name in calls:
+        ratio = timing.ratios(times[_FIRST], times[name])
+        row: dict[str, object] = {"fit": name, "ms": 1e3 * statistics.median(times[name]), "E_mean": errors[name]}
+        row |= {"paper ratio": ratio.median, "spread": ratio.spread, "noisy": "yes" if ratio.noisy else ""}
+        rows.append(row)
     return Section("fits", "Fits: error against time", TEXT, rows, _draw)
 
 

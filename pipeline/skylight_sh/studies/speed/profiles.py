@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import statistics
-import subprocess
+import os
 import tempfile
-import time
 from collections.abc import Callable
 from copy import deepcopy
 from pathlib import Path
@@ -23,52 +21,42 @@ from skylight_sh.store.store import Store
 from skylight_sh.studies import compiled
 from skylight_sh.studies.grid_samples import Samples, light_alone
 from skylight_sh.studies.page import Row, Section
-from skylight_sh.studies.speed import evaluation
-from skylight_sh.table.row_layout import widths
+from skylight_sh.studies.speed import contest, race
 from skylight_sh.table.size import bytes_of
 
 TEXT = (
-    "The config's light built anew in an empty store for each profile, one table each: seconds from nothing to the "
+    "The config's light built anew in an empty store for each profile, one table each: CPU seconds from nothing to the "
     "selected table, its bytes and error as shipped, nanoseconds a call (portable -O3, everything included), and how "
-    "many times faster that is than the paper-literal header in the same rounds."
+    "many times faster that is than the paper-literal header in the same rounds, with the ratio's interquartile range over "
+    "its median."
 )
 _FIXED = {"turbidity": 3.0}
 
 
 def section(config: Config, samples: Samples, repeats: int) -> Section:
     """Build and time every profile that the config's axes allow."""
-    literal = evaluation.literal(samples)
     built = [(label, *_build(parse(_raw(config, edit), label))) for label, edit in _profiles(config)]
+    ranges = contest.ranges_of([axis.range for axis in config.axes], fixed_azimuth=False)
+    entrants = {contest.LITERAL: race.calls(contest.literal(samples).header, ranges)}
+    for label, _, table, _ in built:
+        own = contest.ranges_of([(axis.low, axis.high) for axis in table.axes], fixed_azimuth=table.spec.azimuth is not None)
+        entrants[label] = race.calls(compiled.header_of(table), own)
     with tempfile.TemporaryDirectory() as folder:
-        programs = [
-            compiled.program(header, evaluation.program_of(axes, fixed), Path(folder) / str(i), ["-O3"])
-            for i, (header, axes, fixed) in enumerate(
-                [
-                    (literal.header, [(a.name, *a.range) for a in config.axes], False),
-                    *(
-                        (compiled.header_of(t), [(a.name, a.low, a.high) for a in t.axes], t.spec.azimuth is not None)
-                        for _, _, t, _ in built
-                    ),
-                ]
-            )
-        ]
-        times: list[list[float]] = [[] for _ in programs]
-        for _ in range(repeats):
-            for found, program in zip(times, programs, strict=True):
-                out = subprocess.run([str(program)], check=True, capture_output=True, text=True).stdout
-                found.append(1e9 * float(out.split()[0]))
+        found = race.run(entrants, ["-O3"], Path(folder), 6 * repeats).warm
     rows: list[Row] = []
-    for (label, seconds, table, error), found in zip(built, times[1:], strict=True):
+    for label, seconds, table, error in built:
+        ratio = found.times_faster(label, contest.LITERAL)
         rows.append(
             {
                 "profile": label,
-                "build s": seconds,
+                "build CPU s": seconds,
                 "bytes": bytes_of(table),
                 "E_mean": error,
                 "inputs": len(table.axes) + (table.spec.azimuth is None),
-                "columns": table.spec.classes * widths(table.spec, table.bands)[-1],
-                "ns": statistics.median(found),
-                "times faster": statistics.median(b / o for b, o in zip(times[0], found, strict=True)),
+                "ns": 1e9 * found.time(label).median,
+                "times faster": ratio.median,
+                "spread": ratio.spread,
+                "noisy": "yes" if ratio.noisy else "",
             }
         )
     return Section("profiles", "Scene profiles", TEXT, rows)
@@ -124,12 +112,17 @@ def _raw(config: Config, edit: Callable[[dict[str, Any]], None]) -> dict[str, An
 
 
 def _build(config: Config) -> tuple[float, Table, float]:
-    """Return seconds to the selected table from an empty store, the table and its error."""
+    """Return CPU seconds of all threads to the selected table from an empty store, the table and its error."""
     wanted = [step for step in steps(config) if step.stage in ("truth", "fit", "select", "measure")]
     with tempfile.TemporaryDirectory() as folder:
-        start = time.perf_counter()
+        start = _cpu()
         _, made = plan.execute(wanted, Store(Path(folder)), dict, silent, lambda _: None, wanted=("select", "measure"))
-        seconds = time.perf_counter() - start
+        seconds = _cpu() - start
     name = config.export.recommended
     table = read_table(made["select"], f"tables/{name}")
     return seconds, table, headline_of(made["measure"], f"tables/{name}")[0]
+
+
+def _cpu() -> float:
+    """Return the CPU seconds of this process, its threads and the processes that it has waited for."""
+    return sum(os.times()[:4])

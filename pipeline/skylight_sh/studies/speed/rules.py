@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import statistics
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from typing import TYPE_CHECKING
@@ -13,8 +14,8 @@ from skylight_sh import sphere
 from skylight_sh.config.schema import Config
 from skylight_sh.light import BlackBox
 from skylight_sh.quadrature import adaptive, direction_sums, monte_carlo, rings, sun_centred, zenith_gauss
+from skylight_sh.studies import timing
 from skylight_sh.studies.page import Row, Section
-from skylight_sh.studies.timing import medians
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -49,20 +50,27 @@ def section(config: Config, repeats: int) -> Section:
         calls[name] = partial(_adaptive, config, where, tolerance)
         samples[name] = 0
     errors = {name: float(np.abs(call() - exact).max() / np.abs(exact).max()) for name, call in calls.items()}
-    seconds = medians(calls, repeats, at_least=0.005)
+    times = timing.rounds(calls, repeats, at_least=0.005)
+    seconds = {name: statistics.median(found) for name, found in times.items()}
     carlo = next(name for name in calls if name.startswith("stratified Monte Carlo, 1000"))
     zenith = min((n for n in calls if n.startswith("zenith") and errors[n] <= 1e-7), key=seconds.__getitem__, default=None)
-    rows: list[Row] = [
-        {
-            "rule": name,
-            "samples": samples[name] or None,
-            "error": errors[name],
-            "ms": 1e3 * seconds[name],
-            "times faster than Monte Carlo": seconds[carlo] / seconds[name] if errors[name] <= errors[carlo] else None,
-            "times faster than zenith Gauss": seconds[zenith] / seconds[name] if zenith and errors[name] <= 1e-7 else None,
-        }
-        for name in calls
-    ]
+    rows: list[Row] = []
+    for name in calls:
+        to_carlo = timing.ratios(times[carlo], times[name]) if errors[name] <= errors[carlo] else None
+        to_zenith = timing.ratios(times[zenith], times[name]) if zenith and errors[name] <= 1e-7 else None
+        found = [ratio for ratio in (to_carlo, to_zenith) if ratio]
+        rows.append(
+            {
+                "rule": name,
+                "samples": samples[name] or None,
+                "error": errors[name],
+                "ms": 1e3 * seconds[name],
+                "times faster than Monte Carlo": to_carlo.median if to_carlo else None,
+                "times faster than zenith Gauss": to_zenith.median if to_zenith else None,
+                "ratios' spread": max((ratio.spread for ratio in found), default=None),
+                "noisy": "yes" if any(ratio.noisy for ratio in found) else "",
+            }
+        )
     return Section("rules", "Truth rules: error against time", TEXT, rows, _draw)
 
 

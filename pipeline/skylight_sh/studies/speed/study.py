@@ -1,33 +1,49 @@
-"""The measurements of error against time: truth rules, fits, evaluation, batches, lamps, scene profiles, growth of cost."""
+"""The measurements of error against time: tables and rivals, batches, packed bytes, scenes, rules, fits, lamps, growth."""
 
 from __future__ import annotations
+
+from collections.abc import Sequence
 
 from skylight_sh.studies import illuminance
 from skylight_sh.studies.page import Section
 from skylight_sh.studies.run import Study, Subject
-from skylight_sh.studies.speed import batch, discs, evaluation, fits, growth, profiles, rules, speed
+from skylight_sh.studies.speed import (
+    batch,
+    contest,
+    discs,
+    engines,
+    entropy,
+    evaluation,
+    fits,
+    growth,
+    profiles,
+    rules,
+    speed,
+)
 
 
-def _evaluation(on: Subject) -> Section:
-    """Time evaluation, and leave its figures in ``speed.json`` too."""
-    section = evaluation.section(on.samples, on.tables, on.repeats)
-    speed.save(on.folder, section, on.tables, on.repeats)
-    return section
+def _contest(on: Subject) -> Sequence[Section]:
+    """Let tables and rivals race, and leave the figures in ``speed.json`` too."""
+    found = contest.hold(on.samples, on.tables, on.repeats)
+    speed.save(on.folder, found)
+    return [evaluation.calls(found), evaluation.rivals(found), engines.section(found, on.config.export.recommended)]
 
 
 SPEED = Study(
     name="bench",
     title="Benchmarks",
-    lead="Error against time, measured in one run on one thread: medians after a warm-up, candidates timed in turn, so that "
-    "ratios hold on a noisy machine where seconds do not. Errors are fractions.",
+    lead="Error against time, measured in one run on one thread by its CPU clock: medians after a warm-up, candidates timed "
+    "in turn, so that ratios hold on a noisy machine where times do not. What spreads by a tenth or more is flagged as "
+    "noisy. Errors are fractions.",
     sections=(
+        _contest,
+        lambda on: batch.section(on.tables, on.repeats),
+        lambda on: entropy.section(on.tables),
+        lambda on: profiles.section(on.config, on.samples, on.repeats),
         lambda on: rules.section(on.config, on.repeats),
         lambda on: fits.section(on.samples, on.repeats),
-        _evaluation,
-        lambda on: batch.section(on.tables, on.repeats),
         lambda on: discs.section(on.repeats),
-        lambda _: illuminance.section(),
-        lambda on: profiles.section(on.config, on.samples, on.repeats),
         lambda on: growth.section(on.config),
+        lambda _: illuminance.section(),
     ),
 )
