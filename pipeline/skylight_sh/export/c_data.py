@@ -19,6 +19,7 @@ from skylight_sh.runtime import ClassRows, Packed, Program, Table, unpack
 from skylight_sh.sphere import lower_hemisphere
 from skylight_sh.table import twilight
 from skylight_sh.table.packed import lengths_of as lengths_of_runs
+from skylight_sh.table.powers import POWERS
 from skylight_sh.table.surroundings import PARTS
 from skylight_sh.table.table import float32_limits
 
@@ -64,6 +65,7 @@ def features(table: Table) -> set[str]:
     found = {
         "HAS_ROWS": isinstance(table.body, ClassRows),
         "HAS_PARITY": spec.parity,
+        "HAS_POWERS": isinstance(table.body, ClassRows) and spec.basis == POWERS,
         "HAS_GAPS": bool((columns_of(table) < 0).any()),
         "IS_MIRRORED": spec.mirrored,
         "IS_MIXED": is_mixed(table),

@@ -16,6 +16,10 @@
 #endif
 #endif
 #ifdef SKYLIGHT_SH_LANES
+#ifdef __FMA__
+/* One operation for a product and a sum, which standard C may not choose by itself. */
+#include <immintrin.h>
+#endif
 typedef float skylight_sh_lanes __attribute__((vector_size(4 * SKYLIGHT_SH_LANES)));
 typedef float skylight_sh_four __attribute__((vector_size(16)));
 typedef int skylight_sh_order __attribute__((vector_size(16)));
@@ -37,7 +41,13 @@ static inline skylight_sh_lanes skylight_sh_load(const float *from)
 static inline skylight_sh_lanes skylight_sh_add(skylight_sh_lanes a, skylight_sh_lanes b,
                                                 skylight_sh_lanes c)
 {
+#if defined(__FMA__) && SKYLIGHT_SH_LANES == 16
+    return _mm512_fmadd_ps(a, b, c);
+#elif defined(__FMA__) && SKYLIGHT_SH_LANES == 8
+    return _mm256_fmadd_ps(a, b, c);
+#else
     return a * b + c;
+#endif
 }
 
 static inline skylight_sh_four skylight_sh_four_of(const float *from)
@@ -45,6 +55,11 @@ static inline skylight_sh_four skylight_sh_four_of(const float *from)
     skylight_sh_four v;
     memcpy(&v, from, sizeof v);
     return v;
+}
+
+static inline void skylight_sh_keep(float *to, skylight_sh_four v)
+{
+    memcpy(to, &v, sizeof v);
 }
 
 static inline skylight_sh_four skylight_sh_product(skylight_sh_four a, skylight_sh_four b)
@@ -86,6 +101,11 @@ static inline skylight_sh_four skylight_sh_four_of(const skylight_sh_real *from)
     skylight_sh_four v;
     memcpy(&v, from, sizeof v);
     return v;
+}
+
+static inline void skylight_sh_keep(skylight_sh_real *to, skylight_sh_four v)
+{
+    memcpy(to, &v, sizeof v);
 }
 
 static inline skylight_sh_four skylight_sh_product(skylight_sh_four a, skylight_sh_four b)
