@@ -66,7 +66,6 @@ def features(table: Table) -> set[str]:
         "HAS_ROWS": isinstance(table.body, ClassRows),
         "HAS_PARITY": spec.parity,
         "HAS_POWERS": isinstance(table.body, ClassRows) and spec.basis == POWERS,
-        "HAS_GAPS": bool((columns_of(table) < 0).any()),
         "IS_MIRRORED": spec.mirrored,
         "IS_MIXED": is_mixed(table),
         "IS_SINGLE": not is_double(table),
@@ -231,25 +230,34 @@ def _places(table: Table, column: NDArray[np.int64]) -> Iterator[str]:
     first = {isqrt(place): int(k) for place, k in reversed(list(zip(table.places.tolist(), column.tolist(), strict=True)))}
     yield from commented("Where sums go: of each degree, the first column, or -1 where it carries nothing.")
     yield f"#define {P}_COLUMNS {_braced(first[l] for l in range(table.bands))}"
-    if not table.spec.mirrored:
-        found = [f"DEGREE({l}, {k})" for l, k in sorted(first.items()) if k >= 0]
-        yield from _list(f"#define {P}_DEGREES(DEGREE)", found)
-        return
-    yield from commented("Of each low degree, order and column; of the others, in fours, order, column and the place of m = 0.")
-    low = [f"BAND({l}, {' '.join(f'ONE({l}, {m}, {first[l] + m})' for m in range(l + 1))})" for l in range(table.bands)
-           if l < _FOUR - 1 and first[l] >= 0]
-    yield from _list(f"#define {P}_LOW(BAND, ONE)", low)
-    # The last four of a degree may overlap those before.
-    fours = [
-        [(l, m, first[l] + m, l * (l + 1)) for m in sorted({*range(0, l - 3, _FOUR), l - 3})] if first[l] >= 0 else []
-        for l in range(_FOUR - 1, table.bands)
-    ]
-    flat = [four for degree in fours for four in degree]
-    counts = np.cumsum([0] * min(_FOUR - 1, table.bands) + [len(degree) for degree in fours]).tolist()
-    if flat:
-        yield f"#define {P}_FOURS {_braced(_braced(four[1:]) for four in flat)}"
-        yield f"#define {P}_FOURS_COUNT {len(flat)}"
-        yield f"#define {P}_FOURS_COUNTS {_braced(counts)}"
+    if table.spec.mirrored and table.bands >= _FOUR:
+        yield from commented("The same for vectors of four: places, two vectors of sums and the numbers of both, order.")
+        yield f"#define {P}_FOURS {-(-int(column.max() + 1) // _FOUR)}"
+        yield from _list(
+            f"#define {P}_STORES(BAND, NOTHING, MINUS, PLUS)", [_band(l, first[l], int(column.max())) for l in range(table.bands)]
+        )
+
+
+def _band(l: int, column: int, last: int) -> str:
+    """Return what is stored of degree ``l``, whose order 0 has ``column``; ``last`` is the last column."""
+    if column < 0:
+        return f"BAND({l}, NOTHING({l * l}, {2 * l + 1}))"
+
+    def four(kind: str, place: int, start: int, step: int) -> str:
+        # What has no column, or not this degree's, is overwritten.
+        found = [min(max(column + start + step * k, 0), last) for k in range(_FOUR)]
+        q = min(found) // _FOUR
+        r = max(found) // _FOUR
+        picked = ", ".join(str(c % _FOUR + (_FOUR if c // _FOUR > q else 0)) for c in found)
+        return f"{kind}({place}, {q}, {r}, {picked}, {start})"
+
+    def starts(count: int) -> list[int]:
+        # The last four of many may overlap those before.
+        return sorted({*range(0, max(count - _FOUR, 0), _FOUR), max(count - _FOUR, 0)}) if count else []
+
+    minus = [four("MINUS", l * l + k, l - k, -1) for k in starts(l)]
+    plus = [four("PLUS", l * (l + 1) + k, k, 1) for k in starts(l + 1)]
+    return f"BAND({l}, {' '.join(minus + plus)})"
 
 
 def _rows(body: ClassRows) -> Iterator[str]:

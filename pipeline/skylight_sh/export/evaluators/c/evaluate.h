@@ -124,14 +124,13 @@ static inline int skylight_sh_evaluate(const skylight_sh_real *rows,
     else
         skylight_sh_sum_stream(first, others, all, sums);
 #endif
-#if SKYLIGHT_SH_HAS_GAPS
-    memset(weights, 0, sizeof(float) * SKYLIGHT_SH_CHANNELS * SKYLIGHT_SH_WEIGHTS);
-#else
-    if (bands < SKYLIGHT_SH_BANDS)
-        memset(weights, 0, sizeof(float) * SKYLIGHT_SH_CHANNELS * SKYLIGHT_SH_WEIGHTS);
-#endif
     skylight_sh_store(sums, factors, cosines, sines, all, weights);
     skylight_sh_finish(bands, 1, weights);
+    if (bands < SKYLIGHT_SH_BANDS) {
+        int channel;
+        for (channel = 0; channel < SKYLIGHT_SH_CHANNELS; ++channel)
+            for (i = bands * bands; i < SKYLIGHT_SH_WEIGHTS; ++i) weights[channel][i] = 0.0f;
+    }
     return status;
 }
 

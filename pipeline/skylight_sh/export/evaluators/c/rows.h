@@ -128,11 +128,16 @@ static inline void skylight_sh_multiply(const skylight_sh_real *first,
                                         const skylight_sh_real *others, skylight_sh_real *products)
 {
     int i;
+#ifdef SKYLIGHT_SH_LANES
     /* In fours: each overshoot is overwritten by the next line. */
 #define SKYLIGHT_SH_PRODUCT(place, count, other) \
     for (i = 0; i < (count); i += 4) \
         skylight_sh_keep(products + (place) + i, \
-                         skylight_sh_scaled(skylight_sh_four_of(first + i), others[other]));
+                         skylight_sh_load_four(first + i) * others[other]);
+#else
+#define SKYLIGHT_SH_PRODUCT(place, count, other) \
+    for (i = 0; i < (count); ++i) products[(place) + i] = first[i] * others[other];
+#endif
     SKYLIGHT_SH_PRODUCTS(SKYLIGHT_SH_PRODUCT)
 #undef SKYLIGHT_SH_PRODUCT
 }
