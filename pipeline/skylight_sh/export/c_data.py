@@ -19,6 +19,7 @@ from skylight_sh.runtime import ClassRows, Packed, Program, Table, unpack
 from skylight_sh.sphere import lower_hemisphere
 from skylight_sh.table import twilight
 from skylight_sh.table.packed import lengths_of as lengths_of_runs
+from skylight_sh.table.powers import POWERS
 from skylight_sh.table.surroundings import PARTS
 from skylight_sh.table.table import float32_limits
 
@@ -64,7 +65,7 @@ def features(table: Table) -> set[str]:
     found = {
         "HAS_ROWS": isinstance(table.body, ClassRows),
         "HAS_PARITY": spec.parity,
-        "HAS_GAPS": bool((columns_of(table) < 0).any()),
+        "HAS_POWERS": isinstance(table.body, ClassRows) and spec.basis == POWERS,
         "IS_MIRRORED": spec.mirrored,
         "IS_MIXED": is_mixed(table),
         "IS_SINGLE": not is_double(table),
@@ -203,9 +204,7 @@ def _sums(table: Table) -> Iterator[str]:
     rooms = -(-terms // _FOUR) * _FOUR
     places = np.cumsum(rooms) - rooms
     yield ""
-    yield from commented(
-        "Classes; a row's numbers, one a sum, and those of the first 1, 2, .. bands; room for a class's sums."
-    )
+    yield from commented("Classes; a row's numbers, one a sum, and those of the first 1, 2, .. bands; room for a class's sums.")
     yield f"#define {P}_CLASSES {table.spec.classes}"
     yield f"#define {P}_FACTORS {len(table.spec.scale.program.outputs) if table.spec.scale else 1}"
     yield f"#define {P}_WIDTH {width}"
@@ -217,13 +216,9 @@ def _sums(table: Table) -> Iterator[str]:
     yield f"#define {P}_COUNTS {_braced(terms.tolist())}"
     yield f"#define {P}_PLACES {_braced(places.tolist())}"
     yield f"#define {P}_PRODUCTS_ROOM {int(rooms.sum()) + _FOUR}"
-    yield from commented(
-        "Of each class and product of the other axes' functions: how many functions of the first axis it has."
-    )
+    yield from commented("Of each class and product of the other axes' functions: how many functions of the first axis it has.")
     yield f"#define {P}_LENGTHS {_braced(map(_braced, lengths.tolist()))}"
-    yield from commented(
-        "The same: of each that has any, the place of its first product, how many, the other axes' product."
-    )
+    yield from commented("The same: of each that has any, the place of its first product, how many, the other axes' product.")
     starts = places[:, np.newaxis] + np.cumsum(lengths, axis=1) - lengths
     kept = [(int(starts[k, r]), int(lengths[k, r]), r) for k, r in np.ndindex(*lengths.shape) if lengths[k, r]]
     yield from _list(f"#define {P}_PRODUCTS(PRODUCT)", [f"PRODUCT({start}, {n}, {r})" for start, n, r in kept])
@@ -235,39 +230,41 @@ def _places(table: Table, column: NDArray[np.int64]) -> Iterator[str]:
     first = {isqrt(place): int(k) for place, k in reversed(list(zip(table.places.tolist(), column.tolist(), strict=True)))}
     yield from commented("Where sums go: of each degree, the first column, or -1 where it carries nothing.")
     yield f"#define {P}_COLUMNS {_braced(first[l] for l in range(table.bands))}"
-    if not table.spec.mirrored:
-        found = [f"DEGREE({l}, {k})" for l, k in sorted(first.items()) if k >= 0]
-        yield from _list(f"#define {P}_DEGREES(DEGREE)", found)
-        return
-    yield from commented(
-        "Of each low degree, order and column; of the others, in fours, order, column and the place of m = 0."
-    )
-    low = [
-        f"BAND({l}, {' '.join(f'ONE({l}, {m}, {first[l] + m})' for m in range(l + 1))})"
-        for l in range(table.bands)
-        if l < _FOUR - 1 and first[l] >= 0
-    ]
-    yield from _list(f"#define {P}_LOW(BAND, ONE)", low)
-    # The last four of a degree may overlap those before.
-    fours = [
-        [(l, m, first[l] + m, l * (l + 1)) for m in sorted({*range(0, l - 3, _FOUR), l - 3})] if first[l] >= 0 else []
-        for l in range(_FOUR - 1, table.bands)
-    ]
-    flat = [four for degree in fours for four in degree]
-    counts = np.cumsum([0] * min(_FOUR - 1, table.bands) + [len(degree) for degree in fours]).tolist()
-    if flat:
-        yield f"#define {P}_FOURS {_braced(_braced(four[1:]) for four in flat)}"
-        yield f"#define {P}_FOURS_COUNT {len(flat)}"
-        yield f"#define {P}_FOURS_COUNTS {_braced(counts)}"
+    if table.spec.mirrored and table.bands >= _FOUR:
+        yield from commented("The same for vectors of four: places, two vectors of sums and the numbers of both, order.")
+        yield f"#define {P}_FOURS {-(-int(column.max() + 1) // _FOUR)}"
+        yield from _list(
+            f"#define {P}_STORES(BAND, NOTHING, MINUS, PLUS)", [_band(l, first[l], int(column.max())) for l in range(table.bands)]
+        )
+
+
+def _band(l: int, column: int, last: int) -> str:
+    """Return what is stored of degree ``l``, whose order 0 has ``column``; ``last`` is the last column."""
+    if column < 0:
+        return f"BAND({l}, NOTHING({l * l}, {2 * l + 1}))"
+
+    def four(kind: str, place: int, start: int, step: int) -> str:
+        # What has no column, or not this degree's, is overwritten.
+        found = [min(max(column + start + step * k, 0), last) for k in range(_FOUR)]
+        q = min(found) // _FOUR
+        r = max(found) // _FOUR
+        picked = ", ".join(str(c % _FOUR + (_FOUR if c // _FOUR > q else 0)) for c in found)
+        return f"{kind}({place}, {q}, {r}, {picked}, {start})"
+
+    def starts(count: int) -> list[int]:
+        # The last four of many may overlap those before.
+        return sorted({*range(0, max(count - _FOUR, 0), _FOUR), max(count - _FOUR, 0)}) if count else []
+
+    minus = [four("MINUS", l * l + k, l - k, -1) for k in starts(l)]
+    plus = [four("PLUS", l * (l + 1) + k, k, 1) for k in starts(l + 1)]
+    return f"BAND({l}, {' '.join(minus + plus)})"
 
 
 def _rows(body: ClassRows) -> Iterator[str]:
     width = body.rows.shape[1]
     number = exact if body.rows.dtype == np.float64 else single
     yield ""
-    yield from commented(
-        "Of each class, a row a term (functions of the other axes, then of the first): its number for every sum."
-    )
+    yield from commented("Of each class, a row a term (functions of the other axes, then of the first): its number for every sum.")
     numbers = [number(c) for c in body.rows.ravel().tolist()]
     # The last row is read in vectors of as many numbers as a compiler has.
     numbers += [number(0.0)] * (-width % _WIDEST)

@@ -16,6 +16,7 @@ from skylight_sh import __version__
 from skylight_sh.export import c_comment, c_data, c_formulas, evaluators, prefixes
 from skylight_sh.export.evaluators import part, renamed, wrapped
 from skylight_sh.runtime import Packed, Table
+from skylight_sh.table.powers import in_powers
 from skylight_sh.table.rows import by_class
 from skylight_sh.table.size import bytes_of
 
@@ -48,7 +49,7 @@ def write(table: Table, facts: Facts, prefix: str = evaluators.PREFIX) -> str:
     Raises ValueError for a prefix that is no C identifier of lower-case letters, digits and underscores.
     """
     prefixes.check(prefix)
-    table = by_class(table)
+    table = in_powers(by_class(table))
     unit, _ = c_comment.about(table)
     has = c_data.features(table)
     declared = [*c_data.facts(table, unit, facts.e_mean, facts.e_max), "", *_declarations(table)]

@@ -48,7 +48,7 @@ class GridFit:
         return np.asarray(tables.products(self.basis, self.axes, sets, degrees), dtype=np.float64)
 
     def weights(self, sets: Array, sums: Array, channels: int) -> Array:
-        """Return the weights ``(n, channels, count)`` that polynomials' ``sums`` ``(n, classes, count)`` make at ``sets``."""
+        """Return the weights ``(n, channels, count)`` that ``sums`` ``(n, classes, count)`` make at ``sets``."""
         orders = Harmonics.even(_bands_of(sums.shape[2])).orders * bool(self.parity)
         waves = sines_at(self.axes, self.parity, sets)[:, np.newaxis] ** orders
         return np.asarray(factor_at(self.scale, sets, channels) @ sums * waves[:, np.newaxis])

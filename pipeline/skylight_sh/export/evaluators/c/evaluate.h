@@ -95,6 +95,11 @@ static inline int skylight_sh_evaluate(const skylight_sh_real *rows,
 #if SKYLIGHT_SH_HAS_TWILIGHT
     light *= skylight_sh_twilight(inputs[SKYLIGHT_SH_SUN]);
 #endif
+    /* First what the library computes: calls keep no registers. */
+#if SKYLIGHT_SH_HAS_PARITY
+    radius = skylight_sh_sine(x);
+#endif
+    skylight_sh_waves((skylight_sh_real)azimuth, radius, cosines, sines);
     skylight_sh_first(x, first);
     skylight_sh_others(x, others);
 #if SKYLIGHT_SH_IS_MIXED
@@ -105,10 +110,6 @@ static inline int skylight_sh_evaluate(const skylight_sh_real *rows,
     for (i = 0; i < SKYLIGHT_SH_OTHERS; ++i) others[i] *= light;
     factors[0] = light;
 #endif
-#if SKYLIGHT_SH_HAS_PARITY
-    radius = skylight_sh_sine(x);
-#endif
-    skylight_sh_waves((skylight_sh_real)azimuth, radius, cosines, sines);
 #if SKYLIGHT_SH_HAS_SURROUNDINGS
     /* All bands: what surrounds the sky carries light from one to another. */
     all = SKYLIGHT_SH_BANDS;
@@ -123,14 +124,13 @@ static inline int skylight_sh_evaluate(const skylight_sh_real *rows,
     else
         skylight_sh_sum_stream(first, others, all, sums);
 #endif
-#if SKYLIGHT_SH_HAS_GAPS
-    memset(weights, 0, sizeof(float) * SKYLIGHT_SH_CHANNELS * SKYLIGHT_SH_WEIGHTS);
-#else
-    if (bands < SKYLIGHT_SH_BANDS)
-        memset(weights, 0, sizeof(float) * SKYLIGHT_SH_CHANNELS * SKYLIGHT_SH_WEIGHTS);
-#endif
     skylight_sh_store(sums, factors, cosines, sines, all, weights);
     skylight_sh_finish(bands, 1, weights);
+    if (bands < SKYLIGHT_SH_BANDS) {
+        int channel;
+        for (channel = 0; channel < SKYLIGHT_SH_CHANNELS; ++channel)
+            for (i = bands * bands; i < SKYLIGHT_SH_WEIGHTS; ++i) weights[channel][i] = 0.0f;
+    }
     return status;
 }
 

@@ -1,24 +1,148 @@
 #pragma once
 #include "turn.h"
+#ifdef SKYLIGHT_SH_LANES
+
+/* Vectors that the first `count` numbers of a row take, and those that are summed at once, in
+   registers. */
+#define SKYLIGHT_SH_VECTORS(count) (((count) + SKYLIGHT_SH_LANES - 1) / SKYLIGHT_SH_LANES)
+#define SKYLIGHT_SH_BLOCKS ((SKYLIGHT_SH_VECTORS(SKYLIGHT_SH_WIDTH) + 6) / 7)
+#define SKYLIGHT_SH_BLOCK \
+    ((SKYLIGHT_SH_VECTORS(SKYLIGHT_SH_WIDTH) + SKYLIGHT_SH_BLOCKS - 1) / SKYLIGHT_SH_BLOCKS)
+#endif
+#if SKYLIGHT_SH_HAS_POWERS
+#ifdef SKYLIGHT_SH_LANES
+
+/* The sum over a class's products of the other axes' functions, each times a polynomial in
+   powers of u, by Horner's scheme: SKYLIGHT_SH_BLOCK vectors of each row. */
+static inline void skylight_sh_sum_block(const skylight_sh_real *row, const unsigned char *lengths,
+                                         skylight_sh_real u, const skylight_sh_real *others,
+                                         skylight_sh_real *sums)
+{
+    const skylight_sh_lanes power = skylight_sh_spread(u);
+    skylight_sh_lanes total[SKYLIGHT_SH_BLOCK];
+    int other, k;
+    for (k = 0; k < SKYLIGHT_SH_BLOCK; ++k) total[k] = skylight_sh_spread(0);
+    for (other = 0; other < SKYLIGHT_SH_OTHERS; ++other) {
+        const int length = lengths[other];
+        skylight_sh_lanes sum[SKYLIGHT_SH_BLOCK], factor;
+        const skylight_sh_real *term = row + (length - 1) * SKYLIGHT_SH_WIDTH;
+        if (!length) continue;
+        for (k = 0; k < SKYLIGHT_SH_BLOCK; ++k)
+            sum[k] = skylight_sh_load(term + k * SKYLIGHT_SH_LANES);
+        while (term != row) {
+            term -= SKYLIGHT_SH_WIDTH;
+            for (k = 0; k < SKYLIGHT_SH_BLOCK; ++k)
+                sum[k] = skylight_sh_add(sum[k], power,
+                                         skylight_sh_load(term + k * SKYLIGHT_SH_LANES));
+        }
+        factor = skylight_sh_spread(others[other]);
+        for (k = 0; k < SKYLIGHT_SH_BLOCK; ++k)
+            total[k] = skylight_sh_add(sum[k], factor, total[k]);
+        row += length * SKYLIGHT_SH_WIDTH;
+    }
+    for (k = 0; k < SKYLIGHT_SH_BLOCK; ++k)
+        memcpy(sums + k * SKYLIGHT_SH_LANES, &total[k], sizeof total[k]);
+}
+
+/* The same for one vector of each row. */
+static inline void skylight_sh_sum_vector(const skylight_sh_real *row, const unsigned char *lengths,
+                                          skylight_sh_real u, const skylight_sh_real *others,
+                                          skylight_sh_real *sums)
+{
+    const skylight_sh_lanes power = skylight_sh_spread(u);
+    skylight_sh_lanes total = skylight_sh_spread(0);
+    int other;
+    for (other = 0; other < SKYLIGHT_SH_OTHERS; ++other) {
+        const int length = lengths[other];
+        const skylight_sh_real *term = row + (length - 1) * SKYLIGHT_SH_WIDTH;
+        skylight_sh_lanes sum;
+        if (!length) continue;
+        sum = skylight_sh_load(term);
+        while (term != row) {
+            term -= SKYLIGHT_SH_WIDTH;
+            sum = skylight_sh_add(sum, power, skylight_sh_load(term));
+        }
+        total = skylight_sh_add(sum, skylight_sh_spread(others[other]), total);
+        row += length * SKYLIGHT_SH_WIDTH;
+    }
+    memcpy(sums, &total, sizeof total);
+}
+
+/* The first `count` numbers of a class's sums. */
+static inline void skylight_sh_sum(const skylight_sh_real *row, const unsigned char *lengths,
+                                   skylight_sh_real u, const skylight_sh_real *others, int count,
+                                   skylight_sh_real *sums)
+{
+    const int vectors = SKYLIGHT_SH_VECTORS(count);
+    int k = 0;
+    for (; k + SKYLIGHT_SH_BLOCK <= vectors; k += SKYLIGHT_SH_BLOCK)
+        skylight_sh_sum_block(row + k * SKYLIGHT_SH_LANES, lengths, u, others,
+                              sums + k * SKYLIGHT_SH_LANES);
+    for (; k < vectors; ++k)
+        skylight_sh_sum_vector(row + k * SKYLIGHT_SH_LANES, lengths, u, others,
+                               sums + k * SKYLIGHT_SH_LANES);
+}
+#else
+
+/* The same with plain numbers, for as many as a row has. */
+static inline void skylight_sh_sum(const skylight_sh_real *row, const unsigned char *lengths,
+                                   skylight_sh_real u, const skylight_sh_real *others, int count,
+                                   skylight_sh_real *sums)
+{
+    int other, i, k;
+    for (k = 0; k < SKYLIGHT_SH_ROOM; ++k) sums[k] = 0;
+    for (other = 0; other < SKYLIGHT_SH_OTHERS; ++other) {
+        skylight_sh_real product = others[other];
+        for (i = 0; i < (int)lengths[other]; ++i) {
+            for (k = 0; k < count; ++k) sums[k] += product * row[k];
+            product *= u;
+            row += SKYLIGHT_SH_WIDTH;
+        }
+    }
+}
+#endif
+
+/* Sums each class's rows, one a term: the sums of the first `bands` bands. */
+static inline void skylight_sh_sum_rows(const skylight_sh_real *rows, const skylight_sh_real *first,
+                                        const skylight_sh_real *others, int bands,
+                                        skylight_sh_real sums[SKYLIGHT_SH_CLASSES][SKYLIGHT_SH_ROOM])
+{
+    static const unsigned short starts[SKYLIGHT_SH_CLASSES] = SKYLIGHT_SH_STARTS;
+    static const unsigned char lengths[SKYLIGHT_SH_CLASSES][SKYLIGHT_SH_OTHERS] = SKYLIGHT_SH_LENGTHS;
+    static const unsigned short widths[SKYLIGHT_SH_BANDS] = SKYLIGHT_SH_WIDTHS;
+    int k;
+    for (k = 0; k < SKYLIGHT_SH_CLASSES; ++k) {
+        const skylight_sh_real *const row = rows + (int)starts[k] * SKYLIGHT_SH_WIDTH;
+        if (bands == SKYLIGHT_SH_BANDS)
+            skylight_sh_sum(row, lengths[k], first[1], others, SKYLIGHT_SH_WIDTH, sums[k]);
+        else {
+            memset(sums[k], 0, sizeof sums[k]);
+            skylight_sh_sum(row, lengths[k], first[1], others, widths[bands - 1], sums[k]);
+        }
+    }
+}
+#else
 
 /* The products of the functions of all axes, of each class in the order of its rows. */
 static inline void skylight_sh_multiply(const skylight_sh_real *first,
                                         const skylight_sh_real *others, skylight_sh_real *products)
 {
     int i;
+#ifdef SKYLIGHT_SH_LANES
     /* In fours: each overshoot is overwritten by the next line. */
 #define SKYLIGHT_SH_PRODUCT(place, count, other) \
-    for (i = 0; i < ((count) + 3) / 4 * 4; ++i) products[(place) + i] = first[i] * others[other];
+    for (i = 0; i < (count); i += 4) \
+        skylight_sh_keep(products + (place) + i, \
+                         skylight_sh_load_four(first + i) * others[other]);
+#else
+#define SKYLIGHT_SH_PRODUCT(place, count, other) \
+    for (i = 0; i < (count); ++i) products[(place) + i] = first[i] * others[other];
+#endif
     SKYLIGHT_SH_PRODUCTS(SKYLIGHT_SH_PRODUCT)
 #undef SKYLIGHT_SH_PRODUCT
 }
 #ifdef SKYLIGHT_SH_LANES
 
-/* Vectors that the first `count` numbers of a row take, and those that are summed at once. */
-#define SKYLIGHT_SH_VECTORS(count) (((count) + SKYLIGHT_SH_LANES - 1) / SKYLIGHT_SH_LANES)
-#define SKYLIGHT_SH_BLOCKS ((SKYLIGHT_SH_VECTORS(SKYLIGHT_SH_WIDTH) + 7) / 8)
-#define SKYLIGHT_SH_BLOCK \
-    ((SKYLIGHT_SH_VECTORS(SKYLIGHT_SH_WIDTH) + SKYLIGHT_SH_BLOCKS - 1) / SKYLIGHT_SH_BLOCKS)
 /* Rows whose sums run side by side, so that no sum waits for the one before. */
 #define SKYLIGHT_SH_SIDE (SKYLIGHT_SH_BLOCK > 4 ? 1 : SKYLIGHT_SH_BLOCK > 2 ? 2 : 4)
 
@@ -135,6 +259,7 @@ static inline void skylight_sh_sum_rows(const skylight_sh_real *rows, const skyl
         }
     }
 }
+#endif
 
 /* The same in double precision, all bands: what derivatives need, whose terms cancel. */
 static inline void skylight_sh_sum_rows_double(

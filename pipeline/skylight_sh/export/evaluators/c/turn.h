@@ -1,21 +1,22 @@
 #pragma once
 #include "vectors.h"
 
-/* Four sums of one channel, from those of its classes. */
-static inline skylight_sh_four skylight_sh_mixed(const skylight_sh_four *classes, int channel,
-                                                 const skylight_sh_real *factors)
+/* One channel's sums, from those of its classes. */
+static inline void skylight_sh_mix(skylight_sh_real sums[SKYLIGHT_SH_CLASSES][SKYLIGHT_SH_ROOM],
+                                   int channel, const skylight_sh_real *factors,
+                                   skylight_sh_real *mixed)
 {
+    int i;
 #if SKYLIGHT_SH_IS_MIXED
-    skylight_sh_four sum =
-        skylight_sh_scaled(classes[0], factors[channel * SKYLIGHT_SH_CLASSES]);
     int k;
+    for (i = 0; i < SKYLIGHT_SH_WIDTH; ++i)
+        mixed[i] = factors[channel * SKYLIGHT_SH_CLASSES] * sums[0][i];
     for (k = 1; k < SKYLIGHT_SH_CLASSES; ++k)
-        sum = skylight_sh_plus(
-            sum, skylight_sh_scaled(classes[k], factors[channel * SKYLIGHT_SH_CLASSES + k]));
-    return sum;
+        for (i = 0; i < SKYLIGHT_SH_WIDTH; ++i)
+            mixed[i] += factors[channel * SKYLIGHT_SH_CLASSES + k] * sums[k][i];
 #else
+    for (i = 0; i < SKYLIGHT_SH_WIDTH; ++i) mixed[i] = sums[channel][i];
     (void)factors;
-    return classes[channel];
 #endif
 }
 #if SKYLIGHT_SH_IS_MIRRORED
@@ -39,57 +40,61 @@ static inline void skylight_sh_store(
     const skylight_sh_real *cosines, const skylight_sh_real *sines, int bands,
     float weights[SKYLIGHT_SH_CHANNELS][SKYLIGHT_SH_WEIGHTS])
 {
-    skylight_sh_four one[SKYLIGHT_SH_CLASSES];
-#if SKYLIGHT_SH_WIDTH > 4
-    skylight_sh_four two[SKYLIGHT_SH_CLASSES];
-#endif
-    int channel, k;
-#ifdef SKYLIGHT_SH_FOURS
-    static const unsigned short fours[SKYLIGHT_SH_FOURS_COUNT][3] = SKYLIGHT_SH_FOURS;
-    static const unsigned short counts[SKYLIGHT_SH_BANDS] = SKYLIGHT_SH_FOURS_COUNTS;
-    const int count = counts[bands - 1];
-#endif
-    for (k = 0; k < SKYLIGHT_SH_CLASSES; ++k) {
-        one[k] = skylight_sh_four_of(sums[k]);
-#if SKYLIGHT_SH_WIDTH > 4
-        two[k] = skylight_sh_four_of(sums[k] + 4);
-#endif
+    int channel;
+#if defined(SKYLIGHT_SH_LANES) && SKYLIGHT_SH_BANDS > 3
+    /* In fours; each overshoot is overwritten by what follows. */
+    float plus[SKYLIGHT_SH_BANDS], minus[SKYLIGHT_SH_BANDS + 3] = {0};
+    int m, q;
+    for (m = 0; m < SKYLIGHT_SH_BANDS; ++m) {
+        plus[m] = cosines[m];
+        minus[SKYLIGHT_SH_BANDS - 1 - m] = sines[m];
     }
     for (channel = 0; channel < SKYLIGHT_SH_CHANNELS; ++channel) {
-        const skylight_sh_four lower = skylight_sh_mixed(one, channel, factors);
         float *const w = weights[channel];
-        skylight_sh_real v[8];
-        memcpy(v, &lower, sizeof lower);
-#if SKYLIGHT_SH_WIDTH > 4
-        {
-            const skylight_sh_four upper = skylight_sh_mixed(two, channel, factors);
-            memcpy(v + 4, &upper, sizeof upper);
-        }
+        skylight_sh_four v[SKYLIGHT_SH_FOURS];
+        for (q = 0; q < SKYLIGHT_SH_FOURS; ++q) {
+#if SKYLIGHT_SH_IS_MIXED
+            int k;
+            v[q] = factors[channel * SKYLIGHT_SH_CLASSES] * skylight_sh_load_four(sums[0] + 4 * q);
+            for (k = 1; k < SKYLIGHT_SH_CLASSES; ++k)
+                v[q] = skylight_sh_add_four(
+                    skylight_sh_spread_four(factors[channel * SKYLIGHT_SH_CLASSES + k]),
+                    skylight_sh_load_four(sums[k] + 4 * q), v[q]);
+#else
+            v[q] = skylight_sh_load_four(sums[channel] + 4 * q);
+            (void)factors;
 #endif
+        }
 #define SKYLIGHT_SH_BAND(l, stores) \
     if (bands > (l)) { stores }
-#define SKYLIGHT_SH_ONE(l, m, column) \
-    w[(l) * ((l) + 1) - (m)] = (float)(v[column] * sines[m]); \
-    w[(l) * ((l) + 1) + (m)] = (float)(v[column] * cosines[m]);
-        SKYLIGHT_SH_LOW(SKYLIGHT_SH_BAND, SKYLIGHT_SH_ONE)
+#define SKYLIGHT_SH_NOTHING(place, count) memset(w + (place), 0, sizeof(float) * (count));
+#define SKYLIGHT_SH_MINUS(place, q, r, a, b, c, d, order) \
+    skylight_sh_keep(w + (place), \
+                     SKYLIGHT_SH_PICK(v[q], v[r], a, b, c, d) * \
+                         skylight_sh_load_four(minus + SKYLIGHT_SH_BANDS - 1 - (order)));
+#define SKYLIGHT_SH_PLUS(place, q, r, a, b, c, d, order) \
+    skylight_sh_keep(w + (place), SKYLIGHT_SH_PICK(v[q], v[r], a, b, c, d) * \
+                                      skylight_sh_load_four(plus + (order)));
+        SKYLIGHT_SH_STORES(SKYLIGHT_SH_BAND, SKYLIGHT_SH_NOTHING, SKYLIGHT_SH_MINUS,
+                           SKYLIGHT_SH_PLUS)
 #undef SKYLIGHT_SH_BAND
-#undef SKYLIGHT_SH_ONE
+#undef SKYLIGHT_SH_NOTHING
+#undef SKYLIGHT_SH_MINUS
+#undef SKYLIGHT_SH_PLUS
     }
-#ifdef SKYLIGHT_SH_FOURS
-    {
-        int i;
-        for (i = 0; i < count; ++i) {
-            const int order = fours[i][0], column = fours[i][1], centre = fours[i][2];
-            const skylight_sh_four cosine = skylight_sh_four_of(cosines + order);
-            const skylight_sh_four sine = skylight_sh_four_of(sines + order);
-            for (k = 0; k < SKYLIGHT_SH_CLASSES; ++k) one[k] = skylight_sh_four_of(sums[k] + column);
-            for (channel = 0; channel < SKYLIGHT_SH_CHANNELS; ++channel) {
-                const skylight_sh_four v = skylight_sh_mixed(one, channel, factors);
-                float *const w = weights[channel] + centre;
-                skylight_sh_put(w - order - 3,
-                                skylight_sh_backwards(skylight_sh_product(v, sine)));
-                skylight_sh_put(w + order, skylight_sh_product(v, cosine));
-            }
+#else
+    static const short columns[SKYLIGHT_SH_BANDS] = SKYLIGHT_SH_COLUMNS;
+    for (channel = 0; channel < SKYLIGHT_SH_CHANNELS; ++channel) {
+        skylight_sh_real v[SKYLIGHT_SH_WIDTH];
+        int l, m;
+        skylight_sh_mix(sums, channel, factors, v);
+        for (l = 0; l < bands; ++l) {
+            float *const w = weights[channel] + l * (l + 1);
+            const int column = columns[l];
+            for (m = 1; m <= l; ++m)
+                w[-m] = column < 0 ? 0.0f : (float)(v[column + m] * sines[m]);
+            for (m = 0; m <= l; ++m)
+                w[m] = column < 0 ? 0.0f : (float)(v[column + m] * cosines[m]);
         }
     }
 #endif
@@ -134,18 +139,14 @@ static inline void skylight_sh_store(
     const skylight_sh_real *cosines, const skylight_sh_real *sines, int bands,
     float weights[SKYLIGHT_SH_CHANNELS][SKYLIGHT_SH_WEIGHTS])
 {
-    skylight_sh_four one[SKYLIGHT_SH_CLASSES];
-    float v[SKYLIGHT_SH_ROOM];
-    int channel, i, k;
+    static const short columns[SKYLIGHT_SH_BANDS] = SKYLIGHT_SH_COLUMNS;
+    int channel, l, i;
     for (channel = 0; channel < SKYLIGHT_SH_CHANNELS; ++channel) {
-        for (i = 0; i < SKYLIGHT_SH_WIDTH; i += 4) {
-            for (k = 0; k < SKYLIGHT_SH_CLASSES; ++k) one[k] = skylight_sh_four_of(sums[k] + i);
-            skylight_sh_put(v + i, skylight_sh_mixed(one, channel, factors));
-        }
-#define SKYLIGHT_SH_DEGREE(l, column) \
-    for (i = 0; i < 2 * (l) + 1 && (l) < bands; ++i) weights[channel][(l) * (l) + i] = v[(column) + i];
-        SKYLIGHT_SH_DEGREES(SKYLIGHT_SH_DEGREE)
-#undef SKYLIGHT_SH_DEGREE
+        skylight_sh_real v[SKYLIGHT_SH_WIDTH];
+        skylight_sh_mix(sums, channel, factors, v);
+        for (l = 0; l < bands; ++l)
+            for (i = 0; i < 2 * l + 1; ++i)
+                weights[channel][l * l + i] = columns[l] < 0 ? 0.0f : (float)v[columns[l] + i];
     }
     skylight_sh_turn_all(bands, cosines, sines, weights);
 }
