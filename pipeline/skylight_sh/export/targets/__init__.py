@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 TARGETS: Registry[Target] = Registry(
     {
         "c": "skylight_sh.export.targets.c:TARGET",
+        "csharp": "skylight_sh.export.targets.csharp:TARGET",
         "javascript": "skylight_sh.export.targets.javascript:TARGET",
         "npz": "skylight_sh.export.targets.npz:TARGET",
         "vectors": "skylight_sh.export.targets.vectors:TARGET",
