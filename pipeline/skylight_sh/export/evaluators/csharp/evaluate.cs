@@ -91,7 +91,7 @@ public static partial class SkylightSh
     static int Evaluate(ReadOnlySpan<float> inputs, float azimuth, int asked, Span<float> weights)
     {
         if (weights.Length < ChannelCount * WeightCount)
-            throw new ArgumentException("Too few weights. Should be at least ChannelCount * WeightCount.", nameof(weights));
+            throw new ArgumentException("Should have ChannelCount * WeightCount places.", nameof(weights));
         weights = weights.Slice(0, ChannelCount * WeightCount);
         Span<Real> x = stackalloc Real[AxisCount], first = stackalloc Real[FirstCount];
         Span<Real> others = stackalloc Real[OtherCount], factors = stackalloc Real[FactorCount];

@@ -10,10 +10,10 @@ public static partial class SkylightSh
 #if SKYLIGHT_SH_TAKES_GROUND
 
     /// <summary>
-    /// Adds an even ground of this albedo, one a channel, below the horizon, in place: lit by the sky, before any window.
+    /// Adds an even ground of this albedo, one a channel, below the horizon, in place, before any window.
     /// </summary>
     /// <remarks>
-    /// Its radiance is albedo E / pi, and E, the irradiance on it, a multiple of the weight l = 1, m = 0.
+    /// Lit by the sky, its radiance is albedo E / pi, and E, the irradiance on it, a multiple of the weight l = 1, m = 0.
     /// </remarks>
     public static void Ground(ReadOnlySpan<float> albedo, Span<float> weights)
     {

@@ -26,7 +26,7 @@ public static partial class SkylightSh
             }
         }
 
-        // Reads the stream: `all` holds a row for every function of the first axis of every run, a class's of a product.
+        // Reads the stream: `all` holds a row for every function of the first axis of every run.
         static void Decode(Real[] all)
         {
             var profile = new int[32];
