@@ -106,7 +106,7 @@ def _comment(table: Table, facts: Facts, name: str) -> Iterator[str]:
         f"{facts.title}: spherical-harmonics weights, evaluated from polynomials.",
         "",
         f"Written by skylight-sh {__version__}; the table and this code may be used by anyone for anything (CC0-1.0).",
-        "C# 7.2 for .NET Standard 2.1 (Unity 2021.2 or newer), without dependencies. No call allocates anything"
+        "C# 7.2 for .NET Standard 2.1 (Unity from 2021.2 on), without dependencies. No call allocates anything"
         + (" but the first, which unpacks the table." if isinstance(table.body, Packed) else "."),
         "",
         "Usage",
