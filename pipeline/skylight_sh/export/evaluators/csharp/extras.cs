@@ -13,7 +13,7 @@ public static partial class SkylightSh
     /// Adds an even ground of this albedo, one a channel, below the horizon, in place, before any window.
     /// </summary>
     /// <remarks>
-    /// Lit by the sky, its radiance is albedo E / pi, and E, the irradiance on it, a multiple of the weight l = 1, m = 0.
+    /// Its radiance is albedo E / pi, and E, the irradiance from the sky on it, a multiple of the weight l = 1, m = 0.
     /// </remarks>
     public static void Ground(ReadOnlySpan<float> albedo, Span<float> weights)
     {
