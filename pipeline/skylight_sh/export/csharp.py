@@ -8,25 +8,24 @@ from __future__ import annotations
 
 import re
 import textwrap
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
 import numpy as np
 
 from skylight_sh import __version__
-from skylight_sh.export import c_comment, engines, prefixes
-from skylight_sh.export.c_data import features, functions_of, is_double, is_mixed
+from skylight_sh.export import c_comment, engines, prefixes, statements
+from skylight_sh.export.c_data import features, is_double, is_mixed, others
 from skylight_sh.export.c_header import Facts
 from skylight_sh.export.engine_profiles import PROFILES
 from skylight_sh.export.evaluators import PREFIX, filled, part
-from skylight_sh.export.javascript import inputs_of, plain
+from skylight_sh.export.javascript import plain
 from skylight_sh.formula import printers
-from skylight_sh.formula.azimuth import TURN, stretched_waves, waves_of_angle
-from skylight_sh.formula.bases import BASES
+from skylight_sh.formula.azimuth import TURN
 from skylight_sh.formula.harmonics import HORIZONTAL
 from skylight_sh.formula.printers import CSHARP_DOUBLE, CSHARP_SINGLE, Language
 from skylight_sh.formula.window import SINC
-from skylight_sh.runtime import ClassRows, Packed, Program, Rows, Table
+from skylight_sh.runtime import ClassRows, Packed, Rows, Table
 from skylight_sh.sphere import lower_hemisphere
 from skylight_sh.table import twilight
 from skylight_sh.table.rows import by_class
@@ -111,7 +110,7 @@ def _comment(table: Table, facts: Facts, name: str) -> Iterator[str]:
         "",
         "Usage",
         f"  var w = new float[{name}.ChannelCount * {name}.WeightCount]; // once",
-        f"  int status = {name}.Weights({', '.join(middle.get(axis, '0f') for axis in inputs_of(table))}, w);",
+        f"  int status = {name}.Weights({', '.join(middle.get(axis, '0f') for axis in statements.inputs_of(table))}, w);",
         "w is filled channel by channel: index channel * WeightCount + l * (l + 1) + m.",
         *(_about_unity(name) if _takes_unity(table) else ()),
         "",
@@ -153,7 +152,6 @@ def _constants(kind: str, values: Iterable[tuple[str, object]]) -> str:
 def _data(table: Table) -> Iterator[str]:
     spec, number = table.spec, _language(table).number
     unit, _ = c_comment.about(table)
-    rest = int(np.prod([degree + 1 for degree in table.degrees[1:]], dtype=int))
     yield "    /// <summary>SH bands, weights a channel, channels.</summary>"
     sizes = {"Bands": table.bands, "WeightCount": table.bands**2, "ChannelCount": len(table.channels)}
     yield _constants("int", sizes.items())
@@ -166,10 +164,16 @@ def _data(table: Table) -> Iterator[str]:
         name = class_name(axis.name)
         yield _constants("Real", [(f"{name}Min", number(low)), (f"{name}Max", number(high))])
     yield ""
-    mixed = is_mixed(table)
-    own = {"AxisCount": len(table.axes), "ClassCount": spec.classes, "FirstCount": table.degrees[0] + 1, "OtherCount": rest}
-    own |= {"FactorCount": len(table.channels) * spec.classes if mixed else 1, "Width": int(_columns(table).max()) + 1}
+    own = {
+        "AxisCount": len(table.axes),
+        "ClassCount": spec.classes,
+        "FirstCount": table.degrees[0] + 1,
+        "OtherCount": others(table),
+    }
+    own |= {"FactorCount": len(table.channels) * spec.classes if is_mixed(table) else 1, "Width": statements.width(table)}
     yield f"    const int {', '.join(f'{name} = {value}' for name, value in own.items())};"
+    yield "    // The axis whose sine the sums of order m lack m times, or -1."
+    yield f"    static readonly int Peak = {statements.peak_of(table)};"
     yield f"    static readonly bool Mirrored = {'true' if spec.mirrored else 'false'};"
     if spec.twilight:
         yield "    // The axis of the sun's zenith angle, the horizon in two parts, how far below it the light has faded."
@@ -195,9 +199,8 @@ def _data(table: Table) -> Iterator[str]:
 
 def _terms(table: Table) -> Iterator[str]:
     body = table.body
-    carried = np.unique(np.sqrt(table.places)[_columns(table) >= 0].astype(int))
     yield "    // The degrees that carry anything; their sums follow one another."
-    yield from _array("static readonly int[] Degrees", map(str, carried.tolist()))
+    yield from _array("static readonly int[] Degrees", map(str, statements.carried(table)))
     yield "    // Of each class: how many rows each product of the other axes' functions has; a row a term."
     yield "    static class Terms"
     yield "    {"
@@ -211,10 +214,6 @@ def _terms(table: Table) -> Iterator[str]:
     yield "    }"
     if not isinstance(body, ClassRows):
         yield from _stream(body)
-
-
-def _columns(table: Table) -> np.ndarray:
-    return table.body.columns if isinstance(table.body, ClassRows) else np.arange(table.places.size)
 
 
 def _stream(body: ClassRows | Packed | Rows) -> Iterator[str]:
@@ -239,67 +238,43 @@ def _language(table: Table) -> Language:
 
 def _formulas(table: Table) -> Iterator[str]:
     language = _language(table)
-    x = [f"x[{axis}]" for axis in range(len(table.axes))]
-    given, filled_ = "ReadOnlySpan<Real> x", "Span<Real> to"
+    head = "(ReadOnlySpan<Real> x, Span<Real> to)"
     yield "    // What all weights share, or what each channel in turn takes of each class."
-    yield from _function(f"static void Factors({given}, {filled_})", _factors(table, language, x))
+    yield from _function(f"static void Factors{head}", statements.of_factors(table, language))
     yield f"    // The functions of {table.axes[0].name} (change of variable: {table.axes[0].map})."
-    yield from _function(f"static void FirstFunctions({given}, {filled_})", _assigned(table, 0, "to"))
+    yield from _function(f"static void FirstFunctions{head}", statements.of_axis(table, 0, language, "to"))
     yield "    // All products of the other axes' functions, the last axis's fastest."
-    yield from _function(f"static void OtherFunctions({given}, {filled_})", _others(table))
-    targets = [f"{name}[{m}]" for name in ("cosines", "sines") for m in range(table.bands)]
+    yield from _function(f"static void OtherFunctions{head}", _others(table))
+    yield "    // cos(m azimuth) and sin(m azimuth), each times the m-th power of the radius, by doubling."
     # An azimuth is a float; the Math of Mono and .NET Framework gives angles beyond 2^63 back as they are.
-    of_azimuth = replace(language, functions=CSHARP_SINGLE.functions)
-    if table.spec.parity:
-        yield "    // cos(m azimuth) and sin(m azimuth) times sin^m of the peak's zenith angle, by doubling."
-        peak = [axis.name for axis in table.axes].index(str(table.spec.peak_axis))
-        lines = [language.declare("radius", language.functions["sin"].format(x=f"x[{peak}]"))]
-        lines += printers.assignments(stretched_waves(table.bands), of_azimuth, ["azimuth", "radius"], targets)
-    else:
-        yield "    // cos(m azimuth) and sin(m azimuth), by doubling."
-        lines = printers.assignments(waves_of_angle(table.bands), of_azimuth, ["azimuth"], targets)
-    yield from _function(f"static void Waves({given}, float azimuth, Span<Real> cosines, Span<Real> sines)", lines)
+    waves = statements.of_waves(table.bands, replace(language, functions=CSHARP_SINGLE.functions))
+    yield from _function("static void Waves(float azimuth, Real radius, Span<Real> cosines, Span<Real> sines)", waves)
     yield "    // The weights of orders m and -m turned by the azimuth (Habel et al. 2008, eq. 4)."
     turned = printers.assignments(TURN, language, ["plus", "minus", "cosine", "sine"], ["turned", "partner"])
     head = "static void Turn(Real plus, Real minus, Real cosine, Real sine, out Real turned, out Real partner)"
     yield from _function(head, turned)
     yield "    // The zonal window's factor for the degree `share` * bands (Habel et al. 2008, eq. 5)."
-    yield from _function("static float Sinc(float share)", _returning(SINC, CSHARP_SINGLE, ["share"]))
+    yield from _function("static float Sinc(float share)", statements.returning(SINC, CSHARP_SINGLE, ["share"]))
     if table.spec.twilight:
         yield "    // The share of the horizon's light at the sun's depth below it, 0 to 1."
-        yield from _function("static Real Fade(Real depth)", _returning(table.spec.twilight.program, language, ["depth"]))
-
-
-def _factors(table: Table, language: Language, x: Sequence[str]) -> list[str]:
-    program = table.spec.scale.program if table.spec.scale else None
-    targets = [f"to[{k}]" for k in range(len(program.outputs) if program else 1)]
-    return printers.assignments(program, language, x, targets) if program else ["to[0] = 1;"]
-
-
-def _assigned(table: Table, axis: int, array: str) -> list[str]:
-    program = functions_of(table, axis, BASES[table.spec.basis].program(table.degrees[axis], shallow=True))
-    targets = [f"{array}[{k}]" for k in range(len(program.outputs))]
-    return printers.assignments(program, _language(table), [f"x[{axis}]"], targets)
+        yield from _function(
+            "static Real Fade(Real depth)", statements.returning(table.spec.twilight.program, language, ["depth"])
+        )
 
 
 def _others(table: Table) -> list[str]:
     if len(table.axes) == 1:
         return ["to[0] = 1;"]
     if len(table.axes) == 2:
-        return _assigned(table, 1, "to")
+        return statements.of_axis(table, 1, _language(table), "to")
     lines = ["int count = 1;", "to[0] = 1;"]
     for axis in range(1, len(table.axes)):
         lines += ["{", f"    Span<Real> terms = stackalloc Real[{table.degrees[axis] + 1}];"]
-        lines += [f"    {line}" for line in _assigned(table, axis, "terms")]
+        lines += [f"    {line}" for line in statements.of_axis(table, axis, _language(table), "terms")]
         lines += ["    for (int k = count - 1; k >= 0; --k)", "    {", "        Real product = to[k];"]
         lines += ["        for (int i = 0; i < terms.Length; ++i) to[k * terms.Length + i] = product * terms[i];", "    }"]
         lines += ["    count *= terms.Length;", "}"]
     return lines
-
-
-def _returning(program: Program, language: Language, inputs: Sequence[str]) -> list[str]:
-    lines, results = printers.statements(program, language, inputs)
-    return [*lines, f"return {results[0]};"]
 
 
 def _function(head: str, lines: Iterable[str]) -> Iterator[str]:
@@ -315,7 +290,7 @@ def _function(head: str, lines: Iterable[str]) -> Iterator[str]:
 
 
 def _public(table: Table) -> Iterator[str]:
-    names = inputs_of(table)
+    names = statements.inputs_of(table)
     axes = [axis.name for axis in table.axes]
     one = ", ".join(f"float {parameter(name)}" for name in names)
     many = ", ".join(f"ReadOnlySpan<float> {parameter(name)}" for name in names)

@@ -116,7 +116,7 @@ public static partial class SkylightSh
         Real share = FadeOf(inputs[Sun]);
         for (int k = 0; k < FactorCount; ++k) factors[k] *= share;
 #endif
-        Waves(x, azimuth, cosines, sines);
+        Waves(azimuth, Peak < 0 ? 1 : (Real)Math.Sin(x[Peak]), cosines, sines);
         AddTerms(first, others, used, sums);
         TurnSums(factors, sums, cosines, sines, read, found);
 #if SKYLIGHT_SH_HAS_SURROUNDINGS

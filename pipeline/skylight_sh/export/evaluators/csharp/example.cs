@@ -15,6 +15,8 @@ public static partial class SkylightSh
     public const Real TurbidityMin = 2.5f, TurbidityMax = 6.0f;
 
     const int AxisCount = 2, ClassCount = 3, FirstCount = 6, OtherCount = 3, FactorCount = 1, Width = 6;
+    // The axis whose sine the sums of order m lack m times, or -1.
+    static readonly int Peak = -1;
     static readonly bool Mirrored = true;
     // Of each axis: the first and last float that counts as inside, and its range.
     static readonly float[] Inside = {
@@ -182,12 +184,12 @@ public static partial class SkylightSh
         to[2] = 2.0f * to[1] * to[1] - 1.0f;
     }
 
-    // cos(m azimuth) and sin(m azimuth), by doubling.
-    static void Waves(ReadOnlySpan<Real> x, float azimuth, Span<Real> cosines, Span<Real> sines)
+    // cos(m azimuth) and sin(m azimuth), each times the m-th power of the radius, by doubling.
+    static void Waves(float azimuth, Real radius, Span<Real> cosines, Span<Real> sines)
     {
         cosines[0] = 1.0f;
-        cosines[1] = MathF.Cos(azimuth);
-        sines[1] = MathF.Sin(azimuth);
+        cosines[1] = radius * MathF.Cos(azimuth);
+        sines[1] = radius * MathF.Sin(azimuth);
         cosines[2] = cosines[1] * cosines[1] - sines[1] * sines[1];
         sines[0] = 0.0f;
         sines[2] = sines[1] * cosines[1] + cosines[1] * sines[1];
