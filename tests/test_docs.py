@@ -88,7 +88,7 @@ def test_names_of_this_package_exist(page: Path) -> None:
     for name in set(re.findall(r"\bskylight_sh(?:\.[a-z_]\w*)+", text(page))):
         parts = name.split(".")[1:]
         shown = f"File `{'/'.join(parts)}.py`:" in text(page)
-        if shown or parts[0] in ("h", "npz", "glsl", "hlsl", "wgsl", "mjs", "slang", "json", "lights"):
+        if shown or parts[0] in ("h", "npz", "glsl", "hlsl", "wgsl", "mjs", "cs", "d", "slang", "json", "lights"):
             continue
         assert _found(parts), f"{page.name} names {name}"
 
@@ -212,15 +212,15 @@ def test_names_of_the_direct_header_are_there(small_run: Result) -> None:
         assert re.search(rf"\b{whole}\b", header), whole
 
 
-def test_names_of_shaders_and_of_the_module_are_there(small_run: Result) -> None:
+def test_names_of_shaders_modules_and_classes_are_there(small_run: Result) -> None:
     table = runtime.read(small_run.folder / "export" / "skylight_sh.npz")
     facts = Facts("a sky", 0.01, 0.02, "per-set", [])
-    written = targets.write(("glsl", "hlsl", "wgsl", "javascript"), table, facts, "skylight_sh")
-    assert len(written) == 4
+    written = targets.write(("glsl", "hlsl", "wgsl", "javascript", "csharp"), table, facts, "skylight_sh")
+    assert len(written) == 6
+    titles = {"mjs": "The JavaScript module", "mts": "The JavaScript module", "cs": "The C# class"}
     for file, data in written.items():
-        title = "The JavaScript module" if file.endswith(".mjs") else "The shaders"
-        for name in listed(title):
-            plain = name.partition("(")[0]
+        for name in listed(titles.get(file.rpartition(".")[2], "The shaders")):
+            plain = name.partition("(")[0].replace("<Axis>", "SunZenith")
             whole = re.sub(r"^P_", "SKYLIGHT_SH_", re.sub(r"^p_", "skylight_sh_", plain))
             assert re.search(rf"\b{whole}\b", data.decode()), f"{file}: {whole}"
 

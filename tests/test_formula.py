@@ -494,7 +494,7 @@ def of_tomorrow() -> Table:
 
     scale = closed_form(Prefactor("of_a_plugin", ("sun_zenith",), (1.5, 0.3), formula), (strange,))
     spec = specification((Axis("sun_zenith", 0.0, 1.5),), ("one",), True, "chebyshev", scale)
-    table = fast(spec, np.random.default_rng(9).normal(size=(1, 6, 4)), np.array(4), 3, "float32")
+    table = fast(spec, np.random.default_rng(9).normal(size=(1, 6, 4)), np.array([4]), 3, "float32")
     terms = trace(lambda u: [1.0, u, elementary.sin(u), u * u], ["u"])
     return replace(table, spec=replace(spec, axes=(strange,), basis="tomorrow's"), terms=(terms,))
 

@@ -13,7 +13,7 @@ from c_programs import FACTS
 from conftest import ROOT, SMALL, run_quietly, with_spec
 from skylight_sh import runtime, sphere
 from skylight_sh.config import load
-from skylight_sh.export import javascript, javascript_types, vectors
+from skylight_sh.export import c_data, javascript, javascript_types, statements, vectors
 from skylight_sh.studies.stability.flavours import flavours
 from test_shaders import MADE, made
 
@@ -79,7 +79,7 @@ def test_node_agrees_with_the_vectors(tmp_path: Path, name: str) -> None:
     functions = {"status", "weights", "weightsBands", "weightsBatch", "applyExposure"}
     functions |= {"unpack"} if table.body.kind == "packed" else set()
     functions |= set() if table.spec.windowed else {"applyWindow"}
-    functions |= {"applyGround"} if javascript.takes_ground(table) else set()
+    functions |= {"applyGround"} if "TAKES_GROUND" in c_data.features(table) else set()
     assert set(found["names"]) == constants | functions
 
 
@@ -168,9 +168,9 @@ def test_typescript_takes_the_types(tmp_path: Path) -> None:
         (folder / "skylight_sh.mjs").write_text(javascript.write(table, FACTS), encoding="utf-8")
         types = javascript_types.write(table, FACTS.title)
         (folder / "skylight_sh.d.mts").write_text(types, encoding="utf-8")
-        count = len(javascript.inputs_of(table))
+        count = len(statements.inputs_of(table))
         more = [] if table.spec.windowed else ["sky.applyWindow(made, 2);"]
-        more += ["sky.applyGround(made, [0.1, 0.2]);"] if javascript.takes_ground(table) else []
+        more += ["sky.applyGround(made, [0.1, 0.2]);"] if "TAKES_GROUND" in c_data.features(table) else []
         more += ["sky.unpack();"] if table.body.kind == "packed" else []
         known = {"one": ", ".join(["0.5"] * count), "many": ", ".join(["[0.5]"] * count), "more": "\n".join(more)}
         use = USE.format(**known, channel=json.dumps(table.channels[0]))

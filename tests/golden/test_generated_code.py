@@ -17,8 +17,10 @@ from skylight_sh import runtime
 from skylight_sh.export import c_header, paper_literal, shaders
 from skylight_sh.export.c_header import Facts
 from skylight_sh.fit.axis import Axis
+from skylight_sh.formula.elementary import cos, exp
 from skylight_sh.light.perez import Perez
 from skylight_sh.light.preetham import Preetham
+from skylight_sh.light.protocol import Prefactor
 from skylight_sh.runtime import Scale, Table
 from skylight_sh.table.prefactor import closed_form, reciprocal
 from skylight_sh.table.table import fast, specification
@@ -81,17 +83,22 @@ def perez_factor(values: list[complex]) -> complex:
 
 @dataclass(frozen=True)
 class Made:
-    """A table and what its evaluation must give."""
+    """A table and what its evaluation must give: ``factor`` is a number, or a matrix of channels and classes."""
 
     table: Table
     dense: Array
-    factor: Callable[[list[complex]], complex]
+    factor: Callable[[list[complex]], complex | Complex]
 
     def stored(self, values: list[complex]) -> Complex:
         """The weights at azimuth 0, ``(channels, stored)``."""
         u = [mapped(axis, v) for axis, v in zip(self.table.axes, values, strict=True)]
         rows = [polynomial(c, u, self.table.spec.basis) for c in self.dense.reshape(-1, *self.dense.shape[2:])]
-        return np.reshape(rows, self.dense.shape[:2]) * self.factor(values)
+        sums, factor = np.reshape(rows, self.dense.shape[:2]), np.asarray(self.factor(values))
+        found = factor @ sums if factor.ndim else factor * sums
+        if self.table.spec.parity:
+            m = orders(self.table.bands)
+            found = found * np.sin(values[0]) ** np.abs(m[m >= 0] if self.table.spec.mirrored else m)
+        return np.asarray(found)
 
     def turned(self, stored: Array, azimuth: float) -> Array:
         """Eq. 4: all weights, ``(channels, N*N)``."""
@@ -123,18 +130,20 @@ def make(
     top: tuple[int, ...],
     bands: int,
     scale: Scale | None,
-    formula: Callable[[list[complex]], complex] | None = None,
+    formula: Callable[[list[complex]], complex | Complex] | None = None,
     *,
     mirrored: bool = True,
+    parity: bool = False,
     dtype: str = "float64",
     basis_name: str = "chebyshev",
     channels: int = 3,
 ) -> Made:
     rng = np.random.default_rng(sum(top) + bands)
-    spec = specification(axes, ("red", "green", "blue")[:channels], mirrored, basis_name, scale)
+    names = ("red", "green", "blue")[:channels]
+    spec = specification(axes, names, mirrored, basis_name, scale, peak_axis=axes[0].name, parity=parity)
     count = bands * (bands + 1) // 2 if mirrored else bands**2
-    dense = rng.normal(size=(channels, count, *(d + 1 for d in top)))
-    lengths = np.full([d + 1 for d in top[1:]], top[0] + 1)
+    dense = rng.normal(size=(spec.classes, count, *(d + 1 for d in top)))
+    lengths = np.full([spec.classes, *(d + 1 for d in top[1:])], top[0] + 1)
     table = fast(spec, dense, lengths, bands, dtype)
     return Made(table, dense, formula or (lambda _: 1.0 + 0j))
 
@@ -162,6 +171,20 @@ THREE = (
     Axis("haze", 1.0, 3.0, map="log", point=4.0),
 )
 BRIGHT = (replace(SUN, map="identity"), Axis("brightness", 0.2, 0.5))
+# What three channels take of two classes.
+MATRIX = Prefactor(
+    "matrix",
+    ("sun_zenith", "turbidity"),
+    (0.5, -2.0),
+    lambda v, w, k: [k[0] * w, exp(-v), 1 / (v + w), -1.0, v * w + k[1], cos(v) * w],
+)
+
+
+def matrix(values: list[complex]) -> Complex:
+    v, w = values
+    return np.array([[0.5 * w, np.exp(-v)], [1 / (v + w), -1.0], [v * w - 2.0, np.cos(v) * w]])
+
+
 DENOMINATOR = np.array([[2.0, 0.3], [-0.1, 0.2], [0.05, 0.0]])
 MADE = {
     "preetham": make((SUN, WEATHER), (5, 3), 4, closed_form(PREETHAM, specified((SUN, WEATHER))), preetham_factor),
@@ -180,6 +203,8 @@ MADE = {
         (SUN, WEATHER), (5, 3), 4, closed_form(PREETHAM, specified((SUN, WEATHER))), preetham_factor, dtype="float32"
     ),
     "legendre": make((SUN, WEATHER), (4, 3), 2, None, basis_name="legendre", mirrored=False),
+    "classes": make((SUN, WEATHER), (5, 3), 4, closed_form(MATRIX, specified((SUN, WEATHER))), matrix, parity=True),
+    "asymmetric": make(TWO, (4, 2), 3, closed_form(MATRIX, specified(TWO)), matrix, parity=True, mirrored=False),
     "monomial": make((replace(SUN, map="identity"),), (7,), 2, None, basis_name="monomial"),
 }
 SHARES = (0.13, 0.5, 0.91)
@@ -272,7 +297,7 @@ def test_twilight_and_the_folded_window_in_c(tmp_path: Path) -> None:
     axis = Axis("sun_zenith", 0.0, math.pi / 2, "rad")
     dense = np.random.default_rng(71).normal(size=(1, 10, 4))
     spec = specification((axis,), ("luminance",), True, "chebyshev", None)
-    lengths, dark = np.array(4), math.pi / 2
+    lengths, dark = np.full(len(dense), 4), math.pi / 2
     sunk = fast(replace(spec, peak_axis="sun_zenith", twilight=TWILIGHT), dense, lengths, 4, "float64")
     folded = fast(replace(spec, windowed=True), dense, lengths, 4, "float64")
     (tmp_path / "sunk.h").write_text(c_header.write(sunk, FACTS, "sunk"), encoding="utf-8")
@@ -329,6 +354,7 @@ struct vec3 { float x, y, z; vec3() : x(0), y(0), z(0) {} vec3(float a, float b,
 struct vec4 { float x, y, z, w; vec4() : x(0), y(0), z(0), w(0) {}
   vec4(float a, float b, float c, float d) : x(a), y(b), z(c), w(d) {} };
 static inline vec2 operator-(vec2 a) { return vec2(-a.x, -a.y); }
+static inline vec2 operator*(vec2 a, float s) { return vec2(a.x * s, a.y * s); }
 static inline vec3 operator+(vec3 a, vec3 b) { return vec3(a.x + b.x, a.y + b.y, a.z + b.z); }
 static inline vec3 operator-(vec3 a, vec3 b) { return vec3(a.x - b.x, a.y - b.y, a.z - b.z); }
 static inline vec3 operator*(float s, vec3 a) { return vec3(s * a.x, s * a.y, s * a.z); }
@@ -354,6 +380,9 @@ SHADED = {
     ),
     "many": make((SUN, replace(WEATHER, map="identity")), (3, 2), 9, None, dtype="float32", mirrored=False),
     "legendre": make((SUN, WEATHER), (4, 3), 3, None, dtype="float32", basis_name="legendre", mirrored=False),
+    "classes": make(
+        (SUN, WEATHER), (5, 3), 5, closed_form(MATRIX, specified((SUN, WEATHER))), matrix, dtype="float32", parity=True
+    ),
 }
 LOOKS = upper(8, seed=51) * [1, 1, -1] ** np.arange(8)[:, np.newaxis]
 

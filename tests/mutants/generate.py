@@ -25,7 +25,7 @@ SOURCES = (
     "pipeline/skylight_sh/export/evaluators/*/*",
 )
 # A generator of random inputs, and data of evaluators that no export reads: other numbers there change no result.
-_NO_NUMERICS = ("fuzz.c.j2", "example.h", "example.mjs")
+_NO_NUMERICS = ("fuzz.c.j2", "example.h", "example.mjs", "example.cs")
 _C_IN_PYTHON = re.compile(r".*/(formula/printers|export/(c_data|c_formulas|c_header|shaders|shader_dialects))\.py")
 # Widths and counts of digits of what is printed, for people.
 _FORMATTING = {

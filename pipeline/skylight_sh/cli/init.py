@@ -35,7 +35,7 @@ layouts = ["rows", "packed"]
 
 [export]
 recommended = "4-bands-1pct"
-targets = ["c", "npz"] # also: glsl, hlsl, wgsl, vectors
+targets = ["c", "npz"] # also: glsl, hlsl, wgsl, javascript, csharp, vectors
 """
 
 

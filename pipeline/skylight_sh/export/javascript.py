@@ -14,20 +14,18 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from skylight_sh import __version__
-from skylight_sh.export import c_comment
-from skylight_sh.export.c_data import functions_of
+from skylight_sh.export import c_comment, statements
+from skylight_sh.export.c_data import features, is_mixed, others
 from skylight_sh.export.c_header import Facts
 from skylight_sh.export.evaluators import COLUMNS, filled, part
 from skylight_sh.formula import printers
-from skylight_sh.formula.azimuth import TURN, stretched_waves, waves_of_angle
-from skylight_sh.formula.bases import BASES
+from skylight_sh.formula.azimuth import TURN
 from skylight_sh.formula.harmonics import HORIZONTAL
 from skylight_sh.formula.printers import JAVASCRIPT, Language
 from skylight_sh.formula.window import SINC
-from skylight_sh.runtime import ClassRows, Packed, Program, Rows, Table
+from skylight_sh.runtime import ClassRows, Packed, Rows, Table
 from skylight_sh.sphere import lower_hemisphere
 from skylight_sh.table.rows import by_class
 from skylight_sh.table.surroundings import PARTS
@@ -40,23 +38,11 @@ def write(table: Table, facts: Facts) -> str:
     """Return the text of the module of ``table``."""
     table = by_class(table)
     names = ["inputs", "rows" if isinstance(table.body, ClassRows) else "packed", "evaluate"]
-    names += ["ground"] if takes_ground(table) else []
+    names += ["ground"] if "TAKES_GROUND" in features(table) else []
     names += [] if table.spec.windowed else ["window"]
     parts = [re.sub(rf"^export (?!{_PUBLIC})", "", part(f"javascript/{name}.mjs", ()), flags=re.M) for name in names]
     lines = [*_comment(table, facts), *_data(table), "", *_formulas(table), *parts, *_wrappers(table)]
     return re.sub(r"\n{3,}", "\n\n", "\n".join(lines)).rstrip() + "\n"
-
-
-def takes_ground(table: Table) -> bool:
-    """Say whether an even ground can be added to a table's weights."""
-    black = table.spec.ground == "black" and not table.surroundings
-    return black and not table.spec.windowed and table.spec.quantity == "radiance" and table.bands > 1
-
-
-def inputs_of(table: Table) -> list[str]:
-    """Return the names of the inputs in order: the first axis, the azimuth unless the table fixes it, the other axes."""
-    first, *rest = (axis.name for axis in table.axes)
-    return [first, *([] if table.spec.azimuth is not None else ["sun_azimuth"]), *rest]
 
 
 def example(table: Table, twin: Table) -> str:
@@ -69,7 +55,7 @@ def example(table: Table, twin: Table) -> str:
 
 def _comment(table: Table, facts: Facts) -> Iterator[str]:
     _, notes = c_comment.about(table)
-    inputs = inputs_of(table)
+    inputs = statements.inputs_of(table)
     middle = {axis.name: f"{(axis.low + axis.high) / 2:.3g}" for axis in table.axes}
     told = [
         f"{facts.title}: spherical-harmonics weights, evaluated from polynomials.",
@@ -110,7 +96,6 @@ def _data(table: Table) -> Iterator[str]:
     spec = table.spec
     unit, _ = c_comment.about(table)
     first, last = table.limits
-    rest = int(np.prod([degree + 1 for degree in table.degrees[1:]], dtype=int))
     yield f"export const BANDS = {table.bands}, WEIGHTS = {table.bands**2};"
     yield f"export const CHANNELS = {json.dumps(list(table.channels))};"
     yield f"export const UNIT = {json.dumps(unit)};"
@@ -122,9 +107,11 @@ def _data(table: Table) -> Iterator[str]:
     yield from _objects("export const AXES = ", ranges)
     yield f"const real = {'Math.fround' if table.dtype == np.float32 else '(value) => value'};"
     yield f"const channelCount = {len(table.channels)}, classCount = {spec.classes};"
-    yield f"const firstCount = {table.degrees[0] + 1}, otherCount = {rest};"
-    mixed = spec.scale is not None and len(spec.scale.program.outputs) > 1
-    yield f"const mirrored = {_json(spec.mirrored)}, windowed = {_json(spec.windowed)}, mixed = {_json(mixed)};"
+    yield f"const firstCount = {table.degrees[0] + 1}, otherCount = {others(table)};"
+    flags = {"mirrored": spec.mirrored, "windowed": spec.windowed, "mixed": is_mixed(table)}
+    yield f"const {', '.join(f'{name} = {_json(value)}' for name, value in flags.items())};"
+    yield "// The axis whose sine the sums of order m lack m times, or -1."
+    yield f"const peak = {statements.peak_of(table)};"
     yield "// Of each axis: the first and last number that counts as inside, and the table's range."
     axes = [
         {"first": float(a), "last": float(b), "low": axis.low, "high": axis.high}
@@ -140,7 +127,7 @@ def _data(table: Table) -> Iterator[str]:
         yield "};"
     else:
         yield "const surroundings = null;"
-    if takes_ground(table):
+    if "TAKES_GROUND" in features(table):
         yield "// What an even ground reflects of the weight l = 1, m = 0, and its own zonal weights."
         yield f"const reflected = {printers.double(HORIZONTAL / math.pi)};"
         yield from _array("const lowerHalf = ", "Float64Array", lower_hemisphere(table.bands), ");")
@@ -149,9 +136,8 @@ def _data(table: Table) -> Iterator[str]:
 
 def _terms(table: Table) -> Iterator[str]:
     body = table.body
-    carried = np.unique(np.sqrt(table.places)[_columns(table) >= 0].astype(int))
     yield "// The degrees that carry anything; their sums follow one another."
-    yield f"const degrees = {_json(carried.tolist())}, width = {int(_columns(table).max()) + 1};"
+    yield f"const degrees = {_json(statements.carried(table))}, width = {statements.width(table)};"
     if not isinstance(body, ClassRows):
         yield from _stream(body)
         return
@@ -159,10 +145,6 @@ def _terms(table: Table) -> Iterator[str]:
     yield from _array("const lengths = ", "Uint8Array", body.lengths.ravel(), ");")
     kind = "Float64Array" if body.dtype == np.float64 else "Float32Array"
     yield from _array("const rows = ", kind, body.rows.ravel(), ");")
-
-
-def _columns(table: Table) -> NDArray[np.integer]:
-    return table.body.columns if isinstance(table.body, ClassRows) else np.arange(table.places.size)
 
 
 def _stream(body: ClassRows | Packed | Rows) -> Iterator[str]:
@@ -201,55 +183,38 @@ def _json(value: object) -> str:
 
 def _formulas(table: Table) -> Iterator[str]:
     language = _language(table)
-    x = [f"x[{axis}]" for axis in range(len(table.axes))]
     yield "// What all weights share, or what each channel in turn takes of each class."
-    yield from _function("factorsOf(x, out)", _factors(table, language, x))
+    yield from _function("factorsOf(x, to)", statements.of_factors(table, language))
     yield f"// The functions of {table.axes[0].name} (change of variable: {table.axes[0].map})."
-    yield from _function("firstFunctions(x, out)", _assigned(table, 0, "out"))
+    yield from _function("firstFunctions(x, to)", statements.of_axis(table, 0, language, "to"))
     yield "// All products of the other axes' functions, the last axis's fastest."
-    yield from _function("otherFunctions(x, out)", _others(table))
-    targets = [f"{name}[{m}]" for name in ("cosines", "sines") for m in range(table.bands)]
-    if table.spec.parity:
-        yield "// cos(m azimuth) and sin(m azimuth) times sin^m of the peak's zenith angle, by doubling."
-        peak = [axis.name for axis in table.axes].index(str(table.spec.peak_axis))
-        lines = [f"const sine = Math.sin(x[{peak}]);"]
-        lines += printers.assignments(stretched_waves(table.bands), language, ["azimuth", "sine"], targets)
-    else:
-        yield "// cos(m azimuth) and sin(m azimuth), by doubling."
-        lines = printers.assignments(waves_of_angle(table.bands), language, ["azimuth"], targets)
-    yield from _function("wavesOf(x, azimuth, cosines, sines)", lines)
+    yield from _function("otherFunctions(x, to)", _others(table))
+    yield "// cos(m azimuth) and sin(m azimuth), each times the m-th power of the radius, by doubling."
+    yield from _function("wavesOf(azimuth, radius, cosines, sines)", statements.of_waves(table.bands, language))
     yield "// The weights of orders m and -m turned by the azimuth (Habel et al. 2008, eq. 4)."
     lines, results = printers.statements(TURN, language, ["plus", "minus", "cosine", "sine"])
     yield from _function("turn(plus, minus, cosine, sine)", [*lines, f"return [{', '.join(results)}];"])
     yield "// The zonal window's factor for the degree `share` * bands (Habel et al. 2008, eq. 5)."
-    yield from _function("sinc(share)", _returning(SINC, language, ["share"]))
+    yield from _function("sinc(share)", statements.returning(SINC, language, ["share"]))
     yield "// The share of the horizon's light at the sun's depth below it, 0 to 1."
     if table.spec.twilight:
-        yield from _function("fade(depth)", _returning(table.spec.twilight.program, language, ["depth"]))
+        yield from _function("fade(depth)", statements.returning(table.spec.twilight.program, language, ["depth"]))
     else:
         yield from _function("fade()", ["return 1;"])
 
 
-def _factors(table: Table, language: Language, x: Sequence[str]) -> list[str]:
-    program = table.spec.scale.program if table.spec.scale else None
-    targets = [f"out[{k}]" for k in range(len(program.outputs) if program else 1)]
-    return printers.assignments(program, language, x, targets) if program else ["out[0] = 1;"]
-
-
-def _assigned(table: Table, axis: int, array: str) -> list[str]:
-    program = functions_of(table, axis, BASES[table.spec.basis].program(table.degrees[axis], shallow=True))
-    targets = [f"{array}[{k}]" for k in range(len(program.outputs))]
-    return printers.assignments(program, _language(table), [f"x[{axis}]"], targets)
-
-
 def _others(table: Table) -> list[str]:
     if len(table.axes) == 1:
-        return ["out[0] = 1;"]
-    lines = ["let count = 1;", "out[0] = 1;"]
+        return ["to[0] = 1;"]
+    lines = ["let count = 1;", "to[0] = 1;"]
     for axis in range(1, len(table.axes)):
-        lines += ["{", "  const terms = [];", *(f"  {line}" for line in _assigned(table, axis, "terms"))]
-        lines += ["  for (let k = count - 1; k >= 0; --k) {", "    const product = out[k];"]
-        lines += ["    terms.forEach((term, i) => { out[k * terms.length + i] = product * term; });", "  }"]
+        lines += [
+            "{",
+            "  const terms = [];",
+            *(f"  {line}" for line in statements.of_axis(table, axis, _language(table), "terms")),
+        ]
+        lines += ["  for (let k = count - 1; k >= 0; --k) {", "    const product = to[k];"]
+        lines += ["    terms.forEach((term, i) => { to[k * terms.length + i] = product * term; });", "  }"]
         lines += ["  count *= terms.length;", "}"]
     return lines
 
@@ -258,11 +223,6 @@ def _language(table: Table) -> Language:
     """Return how a table's formulas are printed: its numbers are those of its own arithmetic."""
     exact = replace(JAVASCRIPT, number=lambda value: printers.double(float(np.float32(value))))
     return exact if table.dtype == np.float32 else JAVASCRIPT
-
-
-def _returning(program: Program, language: Language, inputs: Sequence[str]) -> list[str]:
-    lines, results = printers.statements(program, language, inputs)
-    return [*lines, f"return {results[0]};"]
 
 
 def _function(head: str, lines: Iterable[str]) -> Iterator[str]:
@@ -277,7 +237,7 @@ def _function(head: str, lines: Iterable[str]) -> Iterator[str]:
 
 
 def _wrappers(table: Table) -> Iterator[str]:
-    names = inputs_of(table)
+    names = statements.inputs_of(table)
     inputs, axes = ", ".join(names), ", ".join(axis.name for axis in table.axes)
     azimuth = printers.double(table.spec.azimuth) if table.spec.azimuth is not None else "sun_azimuth"
     out = "\n  weightsOut = new Float32Array(channelCount * WEIGHTS),\n"

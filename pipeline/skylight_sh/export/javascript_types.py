@@ -8,7 +8,9 @@ from collections.abc import Iterator
 
 from skylight_sh import __version__
 from skylight_sh.export import c_comment
-from skylight_sh.export.javascript import inputs_of, plain, takes_ground
+from skylight_sh.export.c_data import features
+from skylight_sh.export.javascript import plain
+from skylight_sh.export.statements import inputs_of
 from skylight_sh.runtime import Packed, Table
 
 _SHARED = """
@@ -66,7 +68,7 @@ def _functions(table: Table) -> Iterator[str]:
     yield f"export declare function status({one}): Status;"
     yield "/** Multiplies weights by an exposure, in place. */"
     yield "export declare function applyExposure<Out extends Weights>(weights: Out, exposure: number): Out;"
-    if takes_ground(table):
+    if "TAKES_GROUND" in features(table):
         yield "/** Adds an even ground of this albedo, one a channel, below the horizon, in place, before any window. */"
         yield "export declare function applyGround<Out extends Weights>(weights: Out, albedo: ArrayLike<number>): Out;"
     if not table.spec.windowed:

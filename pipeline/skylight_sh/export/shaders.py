@@ -13,8 +13,10 @@ import numpy as np
 from skylight_sh import __version__, sphere
 from skylight_sh.export import prefixes
 from skylight_sh.export.c_comment import input_lines
+from skylight_sh.export.c_data import is_mixed
 from skylight_sh.export.c_header import Facts
 from skylight_sh.export.shader_dialects import DIALECTS, Dialect, check_prefix
+from skylight_sh.export.statements import peak_of
 from skylight_sh.export.template import template
 from skylight_sh.formula import harmonics, printers
 from skylight_sh.formula.azimuth import TURN, waves
@@ -180,11 +182,6 @@ def _axes(table: Table, dialect: Dialect, prefix: str) -> list[dict[str, object]
     return found
 
 
-def _is_mixed(table: Table) -> bool:
-    """Say whether channels are made of several classes."""
-    return table.spec.scale is not None and len(table.spec.scale.program.outputs) > 1
-
-
 def _prefactor(table: Table, dialect: Dialect, colour: str, prefix: str) -> dict[str, object] | None:
     """Return the function of what all weights share: one number, or of each class what the channels take of it."""
     scale = table.spec.scale
@@ -194,7 +191,7 @@ def _prefactor(table: Table, dialect: Dialect, colour: str, prefix: str) -> dict
     lines, results = printers.statements(scale.program, _language(dialect, prefix), inputs)
     parameters = [dialect.parameter("real", name) for name in inputs]
     head = dialect.function("real", f"{prefix}_prefactor", parameters)
-    if _is_mixed(table):
+    if is_mixed(table):
         classes = table.spec.classes
         head = dialect.procedure(f"{prefix}_factors", [*parameters, dialect.result_parameter(colour, "factors", classes)])
         lines += [f"{dialect.element('factors', k)} = {dialect.vector(results[k::classes])};" for k in range(classes)]
@@ -216,14 +213,14 @@ def _scale(table: Table, dialect: Dialect, prefix: str) -> list[str]:
             *printed,
         ]
         factors.append(results[0])
-    if table.spec.scale and not _is_mixed(table):
+    if table.spec.scale and not is_mixed(table):
         factors.append(f"{prefix}_prefactor({', '.join(f'x{a}' for a in range(len(table.axes)))})")
     return lines + (_wrapped(dialect.fixed("real", "scale", " * ".join(factors))) if factors else [])
 
 
 def _factors(table: Table, dialect: Dialect, colour: str, prefix: str) -> list[str]:
     """Return the lines that declare ``factors``, what the channels take of each class, where there are such."""
-    if not _is_mixed(table):
+    if not is_mixed(table):
         return []
     inputs = [f"x{a}" for a in range(len(table.axes))]
     call = f"{prefix}_factors({', '.join([*inputs, dialect.passed('factors')])});"
@@ -232,7 +229,7 @@ def _factors(table: Table, dialect: Dialect, colour: str, prefix: str) -> list[s
 
 def _rest(table: Table) -> list[str]:
     """Return the products of the other axes' functions, times the scale, the last axis fastest."""
-    scaled = table.spec.twilight or (table.spec.scale and not _is_mixed(table))
+    scaled = table.spec.twilight or (table.spec.scale and not is_mixed(table))
     first = ["scale"] if scaled else []
     found = []
     for at in product(*(range(degree + 1) for degree in table.degrees[1:])):
@@ -250,8 +247,7 @@ def _waves(table: Table, dialect: Dialect, prefix: str) -> list[str]:
         return []
     first = f"{prefix}_wave(sun_azimuth)"
     if table.spec.parity:
-        peak = [axis.name for axis in table.axes].index(str(table.spec.peak_axis))
-        first = f"{first} * {prefix}_wave(x{peak}).y"
+        first = f"{first} * {prefix}_wave(x{peak_of(table)}).y"
     lines = [
         dialect.fixed("vec2", "wave", first),
         dialect.fixed("real", "c1", "wave.x"),
@@ -270,7 +266,7 @@ def _doubled(cosine: Any, sine: Any, bands: int) -> list[Any]:
 def _stores(table: Table, body: ClassRows, dialect: Dialect, colour: str) -> list[str]:
     """Return the lines that store all weights, turned by the azimuth (Habel et al. 2008, eq. 4)."""
     columns = dict(zip(table.places.tolist(), body.columns.tolist(), strict=True))
-    classes, width, mixed = range(table.spec.classes), _vectors(body), _is_mixed(table)
+    classes, width, mixed = range(table.spec.classes), _vectors(body), is_mixed(table)
 
     def output(place: int) -> str:
         column = columns[place]

@@ -66,6 +66,16 @@ JAVASCRIPT = Language(
     functions={name: f"Math.{name}({{x}})" for name in _C_FUNCTIONS},
     declare=lambda name, value: f"const {name} = {value};",
 )
+CSHARP_SINGLE = Language(
+    number=C_SINGLE.number,
+    functions={name: f"MathF.{name.capitalize()}({{x}})" for name in _C_FUNCTIONS},
+    declare=lambda name, value: f"float {name} = {value};",
+)
+CSHARP_DOUBLE = Language(
+    number=double,
+    functions={name: f"Math.{name.capitalize()}({{x}})" for name in _C_FUNCTIONS},
+    declare=lambda name, value: f"double {name} = {value};",
+)
 
 
 def statements(program: Program, language: Language, inputs: Sequence[str]) -> tuple[list[str], list[str]]:

@@ -17,6 +17,7 @@ TARGETS: Registry[Target] = Registry(
     {
         "c": "skylight_sh.export.targets.c:TARGET",
         "direct": "skylight_sh.export.targets.direct:TARGET",
+        "csharp": "skylight_sh.export.targets.csharp:TARGET",
         "javascript": "skylight_sh.export.targets.javascript:TARGET",
         "npz": "skylight_sh.export.targets.npz:TARGET",
         "vectors": "skylight_sh.export.targets.vectors:TARGET",

@@ -1,5 +1,5 @@
 import { BANDS, WEIGHTS, channelCount, classCount, degrees, firstCount, mirrored } from "./example.mjs";
-import { mixed, otherCount, surroundings, width, windowed } from "./example.mjs";
+import { mixed, otherCount, peak, surroundings, width, windowed } from "./example.mjs";
 import { axes, factorsOf, firstFunctions, otherFunctions, sinc, turn, wavesOf } from "./example.mjs";
 import { INVALID, clampInputs, fadeOf } from "./inputs.mjs";
 import { readTerms } from "./rows.mjs";
@@ -92,7 +92,7 @@ export function evaluateTable(inputs, azimuth, asked, out, at = 0) {
   otherFunctions(x, others);
   factorsOf(x, factors);
   for (let k = 0; k < factors.length; ++k) factors[k] *= share;
-  wavesOf(x, azimuth, cosines, sines);
+  wavesOf(azimuth, peak < 0 ? 1 : Math.sin(x[peak]), cosines, sines);
   addTerms(used);
   turnSums(read);
   if (surroundings) surround();

@@ -11,6 +11,8 @@ export const real = Math.fround;
 export const channelCount = 3, classCount = 3;
 export const firstCount = 6, otherCount = 3;
 export const mirrored = true, windowed = false, mixed = false;
+// The axis whose sine the sums of order m lack m times, or -1.
+export const peak = -1;
 // Of each axis: the first and last number that counts as inside, and the table's range.
 export const axes = [
   {"first": -1.5707963267948965e-06, "last": 1.5707978975912233, "low": 0.0, "high": 1.5707963267948966},
@@ -133,7 +135,7 @@ export const stream = new Uint8Array([
 ]);
 
 // What all weights share, or what each channel in turn takes of each class.
-export function factorsOf(x, out) {
+export function factorsOf(x, to) {
   const chi = (0.4444444477558136 - x[1] * 0.0083333337679505348) * (3.1415927410125732 - 2.0 *
     x[0]);
   const square = chi * chi;
@@ -156,42 +158,42 @@ export function factorsOf(x, out) {
   const e = (-0.067000001668930054) * x[1] + 0.37029999494552612;
   const z = x[0] * x[0];
   const cosine = 1.0 - z * (0.5 - z * (0.041666667908430099 - z * 0.0013888889225199819));
-  out[0] = 1000.0 * zenith / (tan_below * (1.0 + a * up4) * (1.0 + c * halo8 + e * (cosine *
+  to[0] = 1000.0 * zenith / (tan_below * (1.0 + a * up4) * (1.0 + c * halo8 + e * (cosine *
     cosine)));
 }
 
 // The functions of sun_zenith (change of variable: reciprocal).
-export function firstFunctions(x, out) {
-  out[0] = 1.0;
-  out[1] = 4.3661975860595703 * (x[0] - 0.0) / (5.0 - x[0]) - 1.0;
-  out[2] = 2.0 * out[1] * out[1] - 1.0;
-  out[3] = 2.0 * out[1] * out[2] - out[1];
-  out[4] = 2.0 * out[2] * out[2] - 1.0;
-  out[5] = 2.0 * out[2] * out[3] - out[1];
+export function firstFunctions(x, to) {
+  to[0] = 1.0;
+  to[1] = 4.3661975860595703 * (x[0] - 0.0) / (5.0 - x[0]) - 1.0;
+  to[2] = 2.0 * to[1] * to[1] - 1.0;
+  to[3] = 2.0 * to[1] * to[2] - to[1];
+  to[4] = 2.0 * to[2] * to[2] - 1.0;
+  to[5] = 2.0 * to[2] * to[3] - to[1];
 }
 
 // All products of the other axes' functions, the last axis's fastest.
-export function otherFunctions(x, out) {
+export function otherFunctions(x, to) {
   let count = 1;
-  out[0] = 1;
+  to[0] = 1;
   {
     const terms = [];
     terms[0] = 1.0;
     terms[1] = 1.9770642518997192 * Math.log((x[1] - 0.5) * 0.5) - 1.0;
     terms[2] = 2.0 * terms[1] * terms[1] - 1.0;
     for (let k = count - 1; k >= 0; --k) {
-      const product = out[k];
-      terms.forEach((term, i) => { out[k * terms.length + i] = product * term; });
+      const product = to[k];
+      terms.forEach((term, i) => { to[k * terms.length + i] = product * term; });
     }
     count *= terms.length;
   }
 }
 
-// cos(m azimuth) and sin(m azimuth), by doubling.
-export function wavesOf(x, azimuth, cosines, sines) {
+// cos(m azimuth) and sin(m azimuth), each times the m-th power of the radius, by doubling.
+export function wavesOf(azimuth, radius, cosines, sines) {
   cosines[0] = 1.0;
-  cosines[1] = Math.cos(azimuth);
-  sines[1] = Math.sin(azimuth);
+  cosines[1] = radius * Math.cos(azimuth);
+  sines[1] = radius * Math.sin(azimuth);
   cosines[2] = cosines[1] * cosines[1] - sines[1] * sines[1];
   sines[0] = 0.0;
   sines[2] = sines[1] * cosines[1] + cosines[1] * sines[1];
