@@ -14,7 +14,7 @@ fit: .venv/run.stamp ## Run every stage of CONFIG and print where the report is
 test: .venv/dev.stamp ## Run the tests
 	@.venv/bin/python -m pytest -n auto --dist loadfile
 
-conformance: .venv/dev.stamp ## Run the tests that need more tools: node, shader compilers, a browser, clang, an emulator
+conformance: .venv/dev.stamp ## Run the tests that need more tools: node, Mono, shader compilers, a browser, clang, an emulator
 	@.venv/bin/python -m pytest -m tools
 
 bench: .venv/run.stamp ## Measure error against time

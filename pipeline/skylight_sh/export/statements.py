@@ -21,7 +21,7 @@ def of_axis(table: Table, axis: int, language: Language, array: str) -> list[str
 
 
 def of_factors(table: Table, language: Language) -> list[str]:
-    """Return the statements that fill ``to`` with the factor of all sums, or the matrix of channels and classes, at ``x``."""
+    """Return the statements that fill ``to`` with the factor of all sums, or the matrix of channels and classes."""
     if not table.spec.scale:
         return ["to[0] = 1;"]
     program = table.spec.scale.program
@@ -32,7 +32,7 @@ def of_factors(table: Table, language: Language) -> list[str]:
 
 
 def of_waves(bands: int, language: Language) -> list[str]:
-    """Return the statements that fill ``cosines`` and ``sines`` of m times ``azimuth``, each times ``radius`` to the power m."""
+    """Return the statements that fill ``cosines`` and ``sines`` of m ``azimuth``, each times ``radius`` to the power m."""
     targets = [f"{name}[{m}]" for name in ("cosines", "sines") for m in range(bands)]
     return printers.assignments(stretched_waves(bands), language, ["azimuth", "radius"], targets)
 
