@@ -19,12 +19,15 @@ from skylight_sh.studies.stability.flavours import flavours
 from test_shaders import MADE, made
 
 PARTS = ROOT / "pipeline" / "skylight_sh" / "export" / "evaluators" / "csharp"
+REFERENCE = ROOT / "reports" / "reference" / "export"
 FLAVOURS = flavours()
 TABLES = {
     **FLAVOURS,
     "fixed": with_spec(FLAVOURS["rows"], azimuth=0.7),
     "windowed": with_spec(FLAVOURS["rows"], windowed=True),
     "two-of-three": made(*MADE["classes-all-orders"]),
+    "released": runtime.read(REFERENCE / "skylight_sh.npz"),
+    "released-packed": runtime.read(REFERENCE / "7-bands-0.1pct-packed" / "skylight_sh.npz"),
 }
 # Holds every class against its vectors, cut to every number of bands too, and prints how many failed, the largest deviation,
 # and how many bytes many calls allocate.

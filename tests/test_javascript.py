@@ -26,6 +26,8 @@ TABLES = {
     "fixed": with_spec(FLAVOURS["rows"], azimuth=0.7),
     "windowed": with_spec(FLAVOURS["rows"], windowed=True),
     "two-of-three": made(*MADE["classes-all-orders"]),
+    "released": runtime.read(REFERENCE / "skylight_sh.npz"),
+    "released-packed": runtime.read(REFERENCE / "7-bands-0.1pct-packed" / "skylight_sh.npz"),
 }
 # Holds a module against its vectors, cut to every number of bands too, and prints how many failed and the largest deviation.
 PROGRAM = """
