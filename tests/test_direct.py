@@ -38,11 +38,11 @@ EVERYTHING = "-Weverything -Werror -Wno-declaration-after-statement -Wno-padded 
 )
 BUILDS = {
     "gcc c99 -O3": f"gcc -std=c99 -O3 {STRICT}",
-    "gcc c11 -O1, sanitizers": "gcc -std=c11 -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all",
     "gcc -O3, native, fast-math": "gcc -std=c11 -O3 -march=native -ffast-math",
     "g++ c++11": f"g++ -x c++ -std=c++11 -O2 {STRICT}",
 }
-CLANG = {
+MORE_BUILDS = {
+    "gcc, sanitizers": "gcc -std=c11 -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all",
     "clang c99 -O3": f"clang -std=c99 -O3 {EVERYTHING}",
     "clang++ c++11, native": f"clang++ -x c++ -std=c++11 -O3 -march=native {EVERYTHING}",
     "clang, memory": "clang -std=c11 -O1 -g -fsanitize=memory -fno-sanitize-recover=all",
@@ -175,9 +175,9 @@ def test_float32_adds_little(tmp_path: Path, build: str) -> None:
 
 
 @pytest.mark.tools
-@pytest.mark.parametrize("build", CLANG)
-def test_float32_adds_little_in_clang(tmp_path: Path, build: str) -> None:
-    held_to_its_twin(tmp_path, CLANG[build])
+@pytest.mark.parametrize("build", MORE_BUILDS)
+def test_float32_adds_little_in_clang_and_sanitized(tmp_path: Path, build: str) -> None:
+    held_to_its_twin(tmp_path, MORE_BUILDS[build])
 
 
 MODEL = """

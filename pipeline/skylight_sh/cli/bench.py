@@ -16,7 +16,7 @@ from skylight_sh.cli import options
     type=click.IntRange(3),
     default=7,
     show_default=True,
-    help="Rounds a median is taken of, of fits and rules; six times as many of calls in C.",
+    help="Rounds a median is taken of, of fits and rules; eight times as many of calls in C.",
 )
 @options.reports
 def bench(config: str, repeats: int, reports: Path) -> None:

@@ -29,9 +29,7 @@ def draw(data: ReportData) -> Figure:
     rows = -(-len(entries) // columns)
     width, height = 4.0 * columns, 3.3 * rows
     top = 0.4 if data.axes[2:] else 0.25
-    figure, placed = style.panels(
-        width, height, rows, columns, left=0.85, right=1.05, top=top, gap=(0.2, top + 0.05), sharex=True, sharey=True
-    )
+    figure, placed = style.panels(width, height, rows, columns, left=0.85, right=1.05, top=top, gap=(0.2, top + 0.05))
     grids = [np.maximum(_grid(data, per_set), 1e-12) for _, per_set in found]
     low, high = 100 * min(float(g.min()) for g in grids), 100 * max(float(g.max()) for g in grids)
     panels: list[Axes] = list(placed.ravel())
@@ -54,7 +52,6 @@ def draw(data: ReportData) -> Figure:
     for place, panel in enumerate(panels):
         panel.yaxis.set_visible(place % columns == 0)
         panel.xaxis.set_visible(place + columns >= len(entries))
-        panel.xaxis.set_tick_params(labelbottom=True)
         if place >= len(entries):
             panel.set_axis_off()
     figure.supxlabel(_label(first), y=0.1 / height)

@@ -27,8 +27,8 @@ def draw(data: ReportData) -> Figure:
         columns += [(title, values, entry) for entry in (*data.references[:2], data.best)]
     columns.append(("Worst set of this table", data.best.worst, data.best))
     width = 3.7 * len(columns)
-    shared = {"sharex": True, "sharey": True}
-    figure, panels = style.panels(width, 8.6, 4, len(columns), bottom=1.3, top=0.65, gap=(0.2, 0.13), **shared)
+    # Axes are not shared: all show the same ranges, and each would tell all others so.
+    figure, panels = style.panels(width, 8.6, 4, len(columns), bottom=1.3, top=0.65, gap=(0.2, 0.13))
     for column, (title, values, entry) in enumerate(columns):
         left, _, across, _ = panels[-1, column].get_position().bounds
         bar = style.bar(figure, left * width, 0.58, across * width, 0.15)

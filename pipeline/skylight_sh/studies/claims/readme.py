@@ -107,7 +107,7 @@ def _fit(found: Released) -> str:
 def _speed(found: Released) -> str:
     speed, machine = found.speed, found.speed["machine"]
     bands = next(row["bands"] for row in found.summary["tables"] if row["name"] == found.summary["recommended"])
-    names = [row["name"] for row in speed["candidates"] if row["bands"] == bands and row["kind"] in _TABLES]
+    names = [row["name"] for row in speed["candidates"] if row["bands"] == bands and row["kind"] == "table"]
     rows = []
     for name in names:
         paper = [_rival(speed, name, speed[key]) for key in ("literal", "well_written")]
@@ -136,12 +136,26 @@ def _speed(found: Released) -> str:
         "cold: literal",
         "cold: lookup",
     ]
-    return "\n\n".join([told, _table(heading, rows), _wins(speed, names)])
+    parts = [told, _table(heading, rows), _packed(speed, bands), _wins(speed, names)]
+    return "\n\n".join(part for part in parts if part)
 
 
-# Kinds of candidates that are ours, and how a build is called.
-_TABLES = ("table", "packed table", "unpacked table")
+# How a build is called.
 _BUILDS = {"portable": "-O3", "AVX2": "AVX2", "native": "-march=native"}
+
+
+def _packed(speed: Mapping[str, Any], bands: int) -> str:
+    """Say what packed tables cost, decoded at every call or once, at -O3."""
+    times: dict[str, list[str]] = {kind: [] for kind in ("packed table", "unpack", "unpacked table")}
+    for row in speed["candidates"]:
+        if row["bands"] == bands and row["kind"] in times:
+            times[row["kind"]].append(f"{row['times']['portable']['ns']['median']:,.0f}")
+    if not times["packed table"]:
+        return ""
+    told = f"Packed tables decode at every call, which takes {' / '.join(times['packed table'])} ns (-O3)"
+    if times["unpack"]:
+        told += f"; decoded once in {' / '.join(times['unpack'])} ns, a call takes {' / '.join(times['unpacked table'])} ns"
+    return _words(f"{told}.")
 
 
 def _against(speed: Mapping[str, Any], name: str) -> list[Mapping[str, Any]]:
@@ -163,30 +177,24 @@ def _three(times: Mapping[str, Any], name: str, build: str) -> str:
 
 
 def _wins(speed: Mapping[str, Any], names: Sequence[str]) -> str:
-    """Say where a rival wins, warm, in builds where it is faster by 5 % or more; of packed tables by how much at most."""
+    """Say where a rival wins, warm, in builds where it is faster by 5 % or more."""
     kinds = {row["name"]: row["kind"] for row in speed["candidates"]}
     lost: dict[str, list[str]] = {}
-    packed: dict[str, list[float]] = {}
     for name in names:
         for row in _against(speed, name):
             ratios = {build: times["warm"] for build, times in row["times"].items() if times["warm"]["median"] < _EVEN}
-            rival = _RIVALS.get(kinds[row["rival"]]) or row["rival"]
-            if not ratios or kinds[row["rival"]] in _TABLES:
-                continue
-            if kinds[name] == "packed table":
-                packed.setdefault(rival, []).extend(1 / ratio["median"] for ratio in ratios.values())
-                continue
-            times = [_digits(1 / ratio["median"], 2) for ratio in ratios.values()]
-            where = "" if len(ratios) == len(row["times"]) else f" ({', '.join(_BUILDS[build] for build in ratios)})"
-            size = _digits(row["bytes"], 2)
-            lost.setdefault(rival, []).append(f"{' / '.join(times)} times as fast as {name}{where}, {size} times its bytes")
-    told = [f"{rival}: {'; '.join(parts)}" for rival, parts in lost.items()]
-    if packed:
-        rivals = (f"{rival} by up to {_digits(max(ratios), 2)} times" for rival, ratios in packed.items())
-        told.append(f"against packed tables, which decode at every call: {', '.join(rivals)}")
-    if not told:
+            if ratios:
+                times = [_digits(1 / ratio["median"], 2) for ratio in ratios.values()]
+                where = "" if len(ratios) == len(row["times"]) else f" ({', '.join(_BUILDS[build] for build in ratios)})"
+                size = _digits(row["bytes"], 2)
+                rival = _RIVALS.get(kinds[row["rival"]]) or row["rival"]
+                lost.setdefault(rival, []).append(
+                    f"{' / '.join(times)} times as fast as {name}{where}, {size} times its bytes"
+                )
+    if not lost:
         return "No rival is faster than any of these tables, warm."
-    lines = [textwrap.fill(f"- {line}", _WIDTH, subsequent_indent="  ", break_on_hyphens=False) for line in told]
+    told = (f"- {rival}: {'; '.join(parts)}" for rival, parts in lost.items())
+    lines = [textwrap.fill(line, _WIDTH, subsequent_indent="  ", break_on_hyphens=False) for line in told]
     return "\n".join(["Where a rival wins, warm:", "", *lines])
 
 

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import math
+import os
 import tempfile
 from collections.abc import Mapping
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -22,6 +24,7 @@ from skylight_sh.studies.speed.candidate import Candidate
 from skylight_sh.studies.speed.direct import direct
 from skylight_sh.studies.speed.unpacked import UNPACK, UNPACKED, unpacked
 from skylight_sh.studies.speed.well_written import well_written
+from skylight_sh.studies.timing import FEWEST
 from skylight_sh.table.errors import headline
 from skylight_sh.table.size import bytes_of
 
@@ -30,8 +33,8 @@ WELL_WRITTEN = "paper-well-written"
 BRUTE_FORCE = "brute force, 1,024 directions"
 TABLE, PACKED = "table", "packed table"
 OURS = (TABLE, PACKED, UNPACKED)
-# Rounds for each that a benchmark's medians are asked to be of: slices are short.
-_WARM, _COLD = 6, 1.3
+# Warm rounds for each that a benchmark's medians are asked to be of: slices are short.
+_WARM = 8
 
 
 @dataclass(frozen=True)
@@ -85,18 +88,21 @@ def hold(samples: Samples, tables: Mapping[str, Table], repeats: int) -> Contest
         place = Path(folder)
         builds = compiled.builds(place / "probe")
         results = {
-            build: race.run(entrants, flags, place / build, _WARM * repeats, math.ceil(_COLD * repeats))
+            build: race.run(entrants, flags, place / build, _WARM * repeats, max(repeats, FEWEST))
             for build, flags in builds.items()
         }
-        errors = {
-            name: None if candidate.kind == UNPACK else error(samples, candidate, place / "run")
-            for name, candidate in found.items()
-        }
-        sizes = {
-            name: compiled.code_and_constants(candidate.header, len(ranges), place / "code", builds["portable"])
-            for name, candidate in found.items()
-        }
-    return Contest(found, errors, {name: size[0] if size else None for name, size in sizes.items()}, results)
+
+        def measured(name: str) -> tuple[float | None, int | None]:
+            candidate, own = found[name], place / str(list(found).index(name))
+            sizes = compiled.code_and_constants(candidate.header, len(ranges), own / "code", builds["portable"])
+            off = None if candidate.kind == UNPACK else error(samples, candidate, own)
+            return off, sizes[0] if sizes else None
+
+        # Compilers are processes of their own.
+        with ThreadPoolExecutor(os.cpu_count()) as pool:
+            told = dict(zip(found, pool.map(measured, found), strict=True))
+    errors, code = {name: pair[0] for name, pair in told.items()}, {name: pair[1] for name, pair in told.items()}
+    return Contest(found, errors, code, results)
 
 
 def ranges_of(axes: list[tuple[float, float]], *, fixed_azimuth: bool) -> list[tuple[float, float]]:

@@ -158,7 +158,8 @@ def as_exact_as(made: Source, reference: Reference, error: float, kind: str) -> 
 
 def candidate(grid: Grid, made: Source, rival_of: str) -> Candidate:
     """Return a table as a rival of the one it is as exact as."""
-    numbers = prefactor.numbers(made.scale) + sum(4 + len(axis.constants) for axis in made.axes)
+    steps = made.scale.program.steps if made.scale else ()
+    numbers = sum(step[0] in ("number", "constant") for step in steps) + sum(4 + len(axis.constants) for axis in made.axes)
     bands = _bands(grid)
     return Candidate(header(grid, made), 4 * (int(grid.values.size) + numbers), bands, f"lookup, {grid.kind}", rival_of)
 
