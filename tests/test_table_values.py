@@ -10,12 +10,12 @@ from numpy.typing import ArrayLike, NDArray
 from skylight_sh import runtime, sphere
 from skylight_sh.fit.axis import Axis
 from skylight_sh.light.preetham import Preetham
-from skylight_sh.runtime import BitReader, Packed, Rows, Surroundings, Table
+from skylight_sh.runtime import BitReader, ClassRows, Packed, Surroundings, Table
 from skylight_sh.scene import surroundings
 from skylight_sh.scene.surroundings import Clouds
 from skylight_sh.table import bits, packed, prefactor, rows, twilight
-from skylight_sh.table.prefactor import closed_form, reciprocal
-from skylight_sh.table.row_layout import RowLayout, carried, layout
+from skylight_sh.table.prefactor import bytes_of_factor, closed_form, reciprocal
+from skylight_sh.table.row_layout import carried, columns, widths
 from skylight_sh.table.size import bytes_of, coefficients_of
 from skylight_sh.table.surroundings import gain
 from skylight_sh.table.table import fast, float32_limits, small, specification
@@ -26,44 +26,22 @@ HAZE = Axis("haze", 1.0, 3.0, map="log", point=0.5)
 
 
 def staircase(dtype: str = "float32", around: Surroundings | None = None, **scene: Any) -> Table:
-    """Two channels, three bands, lengths 3, 2 and 0: five terms."""
+    """Two channels, three bands, lengths 3, 2 and 0: five terms of one channel, four of the other."""
     rng = np.random.default_rng(1)
     spec = specification((ZENITH, HAZE), ("a", "b"), True, "chebyshev", None, **scene)
     dense = rng.normal(size=(2, sphere.Harmonics.even(3).count, 4, 3))
-    return fast(spec, dense, np.array([3, 2, 0]), 3, dtype, around)
+    return fast(spec, dense, np.array([[3, 2, 0], [3, 1, 0]]), 3, dtype, around)
 
 
-def outputs(bands: int, channels: int, *, mirrored: bool, quantity: str = "radiance") -> RowLayout:
-    """The order of a table's outputs in a row."""
-    return layout(specification((ZENITH,), tuple("abc"[:channels]), mirrored, "chebyshev", quantity=quantity), bands)
-
-
-def test_outputs_stand_in_fours_that_start_at_multiples_of_four() -> None:
-    found = outputs(4, 1, mirrored=True)
-    # Bands 0, 1 and 2 leave one, two and three; band 3 is a four of its own, and a gap before it is filled.
-    expected = [(0, 0, 0), (1, 0, 0), (1, 0, 1), (2, 0, 0), (2, 0, 1), (2, 0, 2), None, None]
-    expected += [(3, 0, 0), (3, 0, 1), (3, 0, 2), (3, 0, 3), None, None, None, None]
-    assert list(found.places) == expected
-    assert found.widths == (8, 8, 8, 16)
-    two = outputs(5, 2, mirrored=True)
-    for l in (3, 4):
-        for c in range(2):
-            for start in range((l + 1) % 4, l + 1, 4):
-                at = two.places.index((l, c, start))
-                assert at % 4 == 0
-                assert two.places[at : at + 4] == tuple((l, c, start + k) for k in range(4))
-    assert sorted(place for place in two.places if place) == [
-        (l, c, m) for l in range(5) for c in range(2) for m in range(l + 1)
-    ]
-    assert len(two.places) % 8 == 0
-    # The gap before a four of band 3 is filled with what band 4 leaves over.
-    assert None not in two.places[:20]
-    whole = outputs(2, 2, mirrored=False)
-    assert list(whole.places) == [(0, 0, 0), (0, 1, 0), *[(1, c, m) for c in range(2) for m in (-1, 0, 1)]]
-    assert whole.widths == (8, 8)
-    # Diffuse irradiance has no band 3.
-    diffuse = outputs(4, 1, mirrored=False, quantity="irradiance")
-    assert diffuse.columns(sphere.Harmonics(4), 1)[0, 9:].tolist() == [-1] * 7
+def test_outputs_stand_in_the_order_of_the_weights() -> None:
+    """Without the degrees that carry nothing: a table of fewer bands is a prefix."""
+    spec = specification((ZENITH,), ("a", "b"), True, "chebyshev", quantity="irradiance")
+    # m = 0; 0, 1; 0, 1, 2; band 3 carries no diffuse irradiance; five of band 4.
+    assert columns(spec, 5).tolist() == [0, 1, 2, 3, 4, 5, -1, -1, -1, -1, 6, 7, 8, 9, 10]
+    assert widths(spec, 5) == (1, 3, 6, 6, 11)
+    whole = specification((ZENITH,), ("a",), False, "chebyshev")
+    assert columns(whole, 2).tolist() == [0, 1, 2, 3]
+    assert widths(whole, 2) == (1, 4)
 
 
 def test_diffuse_irradiance_has_no_odd_bands_but_the_first() -> None:
@@ -94,16 +72,16 @@ def test_rows_hold_the_terms_in_order() -> None:
 
 
 def test_sizes_are_those_of_every_number_read() -> None:
-    """Of rows: width times terms, ranges and constants of the axes, a byte a length and a band's width."""
+    """Of rows: width times terms, ranges and constants of the axes, a byte a class's length and a band's width."""
     table = staircase()
     assert table.degrees == (2, 1)
-    assert coefficients_of(table) == 5 * 2 * 6
-    # 12 outputs in 16 columns; an axis has two ends; reciprocal and log have three constants each.
+    assert coefficients_of(table) == (5 + 4) * 6
+    # An axis has two ends; reciprocal and log have three constants each.
     axes = (2 + 3) + (2 + 3)
-    assert layout(table.spec, 3).widths == (8, 8, 16)
-    assert bytes_of(table) == 4 * (5 * 16 + axes) + 2 + 3
-    assert bytes_of(table, 1) == 4 * (5 * 8 + axes) + 2 + 3
-    assert bytes_of(staircase(dtype="float64")) == 8 * (5 * 16 + axes) + 2 + 3
+    assert widths(table.spec, 3) == (1, 3, 6)
+    assert bytes_of(table) == 4 * (9 * 6 + axes) + 2 * 2 + 3
+    assert bytes_of(table, 1) == 4 * (9 * 1 + axes) + 2 * 2 + 3
+    assert bytes_of(staircase(dtype="float64")) == 8 * (9 * 6 + axes) + 2 * 2 + 3
     assert bytes_of(staircase(peak_axis="sun_zenith", twilight=twilight.TWILIGHT)) - bytes_of(table) == 4 * 4
     around = Surroundings(np.eye(9), np.ones((2, 9)), np.zeros(0))
     surrounded = staircase(around=around)
@@ -128,21 +106,26 @@ def test_prefactors_count_what_stands_in_their_code() -> None:
     assert sky is not None
     turbid = Axis("turbidity", 2.5, 6.0)
     closed = closed_form(sky, (ZENITH.specified, turbid.specified))
-    assert prefactor.numbers(closed) == len(sky.constants) + 25
+    # 4/9, 1/120, pi, 2, 105, 10, 45, 1, 0.25, 1/32, 0.125, 1/128, 0.5, 1/24, 1/720 and the zenith's four, 1000 times.
+    assert bytes_of_factor(closed, 4, packed=False) == 4 * (len(sky.constants) + 20)
     fixed = closed_form(sky, (ZENITH.specified,), {"turbidity": 3.0})
     assert fixed.fixed == (("turbidity", 3.0),)
-    assert prefactor.numbers(fixed) == len(sky.constants) + 1 + 25
+    assert bytes_of_factor(fixed, 4, packed=False) == 4 * (len(sky.constants) + 1 + 20)
+    # All but 4/9, 1/120, pi, 1/128, 1/24 and 1/720 have few digits: of ten powers, but for 1, there are 10^1 to 10^5.
+    short = len(sky.constants) + 20 - 6
+    assert bytes_of_factor(closed, 4, packed=True) == 2 * short + 4 * 6 + 4 * 5
     zeniths = np.array([0.0, 0.6, 1.5])
     pairs = np.stack([zeniths, np.full(3, 3.0)], axis=-1)
     assert prefactor.evaluate(fixed, zeniths[:, np.newaxis]).tolist() == prefactor.evaluate(closed, pairs).tolist()
     # 2 + 0.3 T1(v) + 0.4 T1(u) + 0.1 T1(u) T1(v) at two places.
     axes = (Axis("a", 0.0, 1.0).specified, Axis("b", 0.0, 4.0).specified)
     found = reciprocal(np.array([[2.0, 0.3], [0.4, 0.1]]), axes)
-    assert prefactor.numbers(found) == 4
+    assert bytes_of_factor(found, 4, packed=False) == 4 * 4
+    assert bytes_of_factor(found, 4, packed=True) == 4 * 4
     got = prefactor.evaluate(found, np.array([[0.75, 1.0], [0.0, 4.0]]))
-    assert got == pytest.approx([1 / (2 - 0.15 + 0.2 - 0.025), 1 / (2 + 0.3 - 0.4 - 0.1)])
-    assert prefactor.evaluate(None, np.zeros((3, 2))).tolist() == [1.0] * 3
-    assert prefactor.numbers(None) == 0
+    assert got[:, 0] == pytest.approx([1 / (2 - 0.15 + 0.2 - 0.025), 1 / (2 + 0.3 - 0.4 - 0.1)])
+    assert prefactor.evaluate(None, np.zeros((3, 2))).tolist() == [[1.0]] * 3
+    assert bytes_of_factor(None, 4, packed=False) == 0
 
 
 def test_limits_leave_a_millionth() -> None:
@@ -193,7 +176,7 @@ def test_twilight_is_its_formula() -> None:
 def test_the_runtime_sums_polynomials_and_turns_them() -> None:
     """One weight at a time: T_i(u) T_j(v) times its coefficient, m > 0 by the cosine, m < 0 by the sine (eq. 4)."""
     table = staircase(dtype="float64")
-    assert isinstance(table.body, Rows)
+    assert isinstance(table.body, ClassRows)
     theta, phi, haze = 0.7, 1.1, 2.2
     u = (1 / (5 - theta) - 1 / 5) / (1 / (5 - np.pi / 2) - 1 / 5) * 2 - 1
     v = np.log((haze - 0.5) / 0.5) / np.log(2.5 / 0.5) * 2 - 1
@@ -201,10 +184,10 @@ def test_the_runtime_sums_polynomials_and_turns_them() -> None:
     loaded = runtime.Runtime(table)
     got, status = loaded.weights_and_status(theta, phi, haze)
     assert status == runtime.OK == 0
-    for column, place in enumerate(layout(table.spec, 3).places):
-        if place:
-            l, c, m = place
-            value = terms @ table.body.rows[:, column]
+    degrees, orders = sphere.Harmonics.even(3).degrees.tolist(), sphere.Harmonics.even(3).orders.tolist()
+    for column, (l, m) in enumerate(zip(degrees, orders, strict=True)):
+        for c, use in enumerate((slice(0, 5), slice(5, 9))):
+            value = terms[: use.stop - use.start] @ table.body.rows[use, column]
             assert got[c, l * (l + 1) + m] == pytest.approx(value * np.cos(m * phi))
             assert got[c, l * (l + 1) - m] == pytest.approx(value * (np.sin(m * phi) if m else 1.0))
     assert loaded.status(theta, phi, [0.0, 1.0, 3.0, 3.5, np.nan]).tolist() == [1, 0, 0, 1, 2]

@@ -28,7 +28,8 @@ def root(x: Number) -> Number:
     return mpmath.cbrt(x) if x >= 0 else -mpmath.cbrt(-x)
 
 
-# name, low, high, point; the README's definitions: scaled, log of the distance to the point, its reciprocal, its cube root.
+# name, low, high, point; the README's definitions: scaled, log of the distance to the point, its reciprocal, its cube root,
+# the reciprocal of the square's distance.
 CASES = [
     ("identity", 0.0, math.pi / 2, 0.0, lambda _: lambda v: v),
     ("identity", 2.5, 6.0, 0.0, lambda _: lambda v: v),
@@ -39,6 +40,8 @@ CASES = [
     ("reciprocal", 2.5, 6.0, -2.0, lambda p: lambda v: 1 / (p - v)),
     ("cbrt", 0.0, math.pi / 2, math.pi / 2, lambda p: lambda v: root(p - v)),
     ("cbrt", 0.2, 1.1, 1.7, lambda p: lambda v: root(p - v)),
+    ("even", 0.0, math.pi / 2, -14.0, lambda p: lambda v: 1 / (p - v * v)),
+    ("even", 0.3, 1.2, 2.1, lambda p: lambda v: 1 / (p - v * v)),
 ]
 SHARES = (0.0, 0.07, 0.31, 0.5, 0.86, 1.0)
 

@@ -74,7 +74,7 @@ def evaluate(scale: Scale | None, values: Floats) -> Floats:
 def bytes_of_factor(scale: Scale | None, itemsize: int, *, packed: bool) -> int:
     """Return the size of what an evaluation of the factor reads, the numbers that stand in a closed form included.
 
-    Packed tables keep numbers of few digits in two bytes.
+    Packed tables keep numbers of a closed form that have few digits in two bytes.
 
     >>> bytes_of_factor(None, 4, packed=False)
     0
@@ -82,5 +82,7 @@ def bytes_of_factor(scale: Scale | None, itemsize: int, *, packed: bool) -> int:
     if scale is None:
         return 0
     program = scale.program
-    numbers = [*program.constants, *(program.literals if scale.kind == CLOSED_FORM else ())]
+    if scale.kind != CLOSED_FORM:
+        return itemsize * len(program.constants)
+    numbers = [*program.constants, *program.literals]
     return bytes_of_numbers(numbers, itemsize) if packed else itemsize * len(numbers)

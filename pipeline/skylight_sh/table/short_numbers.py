@@ -21,11 +21,11 @@ def short(value: float) -> tuple[int, int] | None:
 
 
 def bytes_of_numbers(values: Sequence[float], itemsize: int = 4) -> int:
-    """Return how many bytes numbers take, short ones two each and one number a power of ten among them.
+    """Return how many bytes numbers take, short ones two each and one number a power of ten among them, 1 left out.
 
     >>> bytes_of_numbers([0.1, 0.2, 3.7389856])
     12
     """
     found = [short(value) for value in values]
-    powers = {one[1] for one in found if one}
+    powers = {one[1] for one in found if one and one[1]}
     return sum(2 if one else itemsize for one in found) + itemsize * len(powers)

@@ -76,9 +76,10 @@ def fast(
 ) -> Table:
     """Make a table laid out for speed of ``dense`` ``(classes, count, d_1+1, .., d_D+1)``.
 
-    ``lengths`` ``(classes, d_2+1, .., d_D+1)`` says how many terms of the first axis to keep; powers that nothing keeps are
-    dropped.
+    ``lengths`` ``(classes, d_2+1, .., d_D+1)``, or without the first axis for all classes, says how many terms of the first
+    axis to keep; powers that nothing keeps are dropped.
     """
+    lengths = np.broadcast_to(lengths, (len(dense), *dense.shape[3:]))
     degrees = rows.used_degrees(lengths.max(axis=0).ravel(), [d - 1 for d in dense.shape[2:]])
     cut = tuple(slice(d + 1) for d in degrees)
     part = dense[(slice(None), slice(stored(spec, bands).count), *cut)]
