@@ -9,16 +9,14 @@ from skylight_sh.export.evaluators import commented
 from skylight_sh.formula import printers
 from skylight_sh.formula.azimuth import TURN, stretched_waves
 from skylight_sh.formula.bases import BASES
-from skylight_sh.formula.elementary import sin
-from skylight_sh.formula.expression import trace, with_derivatives
+from skylight_sh.formula.expression import with_derivatives
 from skylight_sh.formula.printers import C_DOUBLE, C_SINGLE, Language
+from skylight_sh.formula.sine import SHORT_END, SHORT_SINE, SINE
 from skylight_sh.formula.window import SINC
 from skylight_sh.runtime import Program, Table
 from skylight_sh.table.prefactor import CLOSED_FORM
 
 P, _p = c_data.P, "skylight_sh"
-# Of the peak's zenith angle.
-SINE = trace(lambda theta: [sin(theta)], ["theta"])
 
 
 def functions(table: Table) -> Iterator[str]:
@@ -48,7 +46,7 @@ def functions(table: Table) -> Iterator[str]:
     if table.spec.parity:
         yield from commented("The sine of the sun's zenith angle, whose powers the sums of order m lack.")
         peak = f"x[{P}_SUN]"
-        yield from _function(f"{real} {_p}_sine(const {real} *x)", _returning(SINE, language, [peak]))
+        yield from _function(f"{real} {_p}_sine(const {real} *x)", _returning(_sine(table), language, [peak]))
     if not table.spec.mirrored:
         yield from commented("The weights of orders m and -m turned by the azimuth (Habel et al. 2008, eq. 4).")
         found, results = printers.statements(TURN, language, ["plus", "minus", "cosine", "sine"])
@@ -98,6 +96,13 @@ def slopes(table: Table) -> Iterator[str]:
         program = with_derivatives(table.spec.twilight.program, [0])
         lines = printers.assignments(program, C_DOUBLE, ["depth"], ["out[0]", "out[1]"])
         yield from _function(f"void {_p}_fade_slope(double depth, double *out)", lines)
+
+
+def _sine(table: Table) -> Program:
+    """Return the sine of the peak's zenith angle as a table's own arithmetic takes it."""
+    peak = next(axis for axis in table.axes if axis.name == table.spec.peak_axis)
+    short = not c_data.is_double(table) and -SHORT_END <= peak.low and peak.high <= SHORT_END
+    return SHORT_SINE if short else SINE
 
 
 def _about(table: Table) -> str:
