@@ -222,6 +222,15 @@ def _sums(table: Table) -> Iterator[str]:
     starts = places[:, np.newaxis] + np.cumsum(lengths, axis=1) - lengths
     kept = [(int(starts[k, r]), int(lengths[k, r]), r) for k, r in np.ndindex(*lengths.shape) if lengths[k, r]]
     yield from _list(f"#define {P}_PRODUCTS(PRODUCT)", [f"PRODUCT({start}, {n}, {r})" for start, n, r in kept])
+    if "HAS_POWERS" in features(table):
+        yield from commented("The same: of each class the first row of each polynomial, its rows, the other axes' product.")
+        first = np.concatenate([[0], np.cumsum(lengths)[:-1]]).reshape(lengths.shape)
+        classes = [
+            [f"POLYNOMIAL({first[k, r]}, {lengths[k, r]}, {r})" for r in range(lengths.shape[1]) if lengths[k, r]]
+            for k in range(len(lengths))
+        ]
+        found = [f"CLASS({k}, NOTHING {' '.join(one)})" for k, one in enumerate(classes)]
+        yield from _list(f"#define {P}_POLYNOMIALS(CLASS, NOTHING, POLYNOMIAL)", found)
     yield from _places(table, column)
 
 
