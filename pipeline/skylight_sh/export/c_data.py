@@ -206,6 +206,8 @@ def _sums(table: Table) -> Iterator[str]:
     yield ""
     yield from commented("Classes; a row's numbers, one a sum, and those of the first 1, 2, .. bands; room for a class's sums.")
     yield f"#define {P}_CLASSES {table.spec.classes}"
+    later = " ".join(f"CLASS({k})" for k in range(1, table.spec.classes))
+    yield f"#define {P}_OTHER_CLASSES(CLASS) {later}".rstrip()
     yield f"#define {P}_FACTORS {len(table.spec.scale.program.outputs) if table.spec.scale else 1}"
     yield f"#define {P}_WIDTH {width}"
     yield f"#define {P}_WIDTHS {_braced(int(np.sum((column >= 0) & (degrees < n))) for n in range(1, table.bands + 1))}"
@@ -218,10 +220,10 @@ def _sums(table: Table) -> Iterator[str]:
     yield f"#define {P}_PRODUCTS_ROOM {int(rooms.sum()) + _FOUR}"
     yield from commented("Of each class and product of the other axes' functions: how many functions of the first axis it has.")
     yield f"#define {P}_LENGTHS {_braced(map(_braced, lengths.tolist()))}"
-    yield from commented("The same: of each that has any, the place of its first product, how many, the other axes' product.")
+    yield from commented("The same: of each that has any, class, place of the first product, how many, the other axes' product.")
     starts = places[:, np.newaxis] + np.cumsum(lengths, axis=1) - lengths
-    kept = [(int(starts[k, r]), int(lengths[k, r]), r) for k, r in np.ndindex(*lengths.shape) if lengths[k, r]]
-    yield from _list(f"#define {P}_PRODUCTS(PRODUCT)", [f"PRODUCT({start}, {n}, {r})" for start, n, r in kept])
+    kept = [(k, int(starts[k, r]), int(lengths[k, r]), r) for k, r in np.ndindex(*lengths.shape) if lengths[k, r]]
+    yield from _list(f"#define {P}_PRODUCTS(PRODUCT)", [f"PRODUCT({k}, {start}, {n}, {r})" for k, start, n, r in kept])
     if "HAS_POWERS" in features(table):
         yield from commented("The same: of each class the first row of each polynomial, its rows, the other axes' product.")
         first = np.concatenate([[0], np.cumsum(lengths)[:-1]]).reshape(lengths.shape)

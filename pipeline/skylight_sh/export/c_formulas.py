@@ -10,6 +10,7 @@ from skylight_sh.formula import printers
 from skylight_sh.formula.azimuth import TURN, stretched_waves
 from skylight_sh.formula.bases import BASES
 from skylight_sh.formula.expression import with_derivatives
+from skylight_sh.formula.halves import halves
 from skylight_sh.formula.printers import C_DOUBLE, C_SINGLE, Language
 from skylight_sh.formula.sine import SHORT_END, SHORT_SINE, SINE
 from skylight_sh.formula.window import SINC
@@ -26,9 +27,16 @@ def functions(table: Table) -> Iterator[str]:
     yield from commented(f"What all weights share: {_about(table)}.")
     scale = table.spec.scale
     if scale and c_data.is_mixed(table):
-        targets = [f"out[{k}]" for k in range(len(scale.program.outputs))]
-        lines = [*printers.assignments(scale.program, language, x, targets), "(void)x;"]
-        yield from _function(f"void {_p}_factors(const {real} *x, {real} *out)", lines)
+        early, rest = halves(scale.program)
+        targets = [f"early[{k}]" for k in range(len(early.outputs))]
+        yield f"#define {P}_EARLY {max(len(targets), 1)}"
+        yield ""
+        lines = [*printers.assignments(early, language, x, targets), "(void)x;", "(void)early;"]
+        yield from _function(f"void {_p}_begin_factors(const {real} *x, {real} *early)", lines)
+        outputs = [f"out[{k}]" for k in range(len(rest.outputs))]
+        lines = [*printers.assignments(rest, language, [*x, *targets], outputs), "(void)x;", "(void)early;"]
+        yield from commented("The rest of it.")
+        yield from _function(f"void {_p}_end_factors(const {real} *x, const {real} *early, {real} *out)", lines)
     else:
         scaled = _returning(scale.program, language, x) if scale else ["return 1;"]
         lines = scaled if any("x[" in line for line in scaled) else ["(void)x;", *scaled]

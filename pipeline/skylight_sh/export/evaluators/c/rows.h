@@ -12,20 +12,20 @@
 #if SKYLIGHT_SH_HAS_POWERS
 #ifdef SKYLIGHT_SH_LANES
 
-/* All classes' sums, for SKYLIGHT_SH_BLOCK vectors of each row: over the products of the other axes'
+/* One class's sums, for SKYLIGHT_SH_BLOCK vectors of each row: over the products of the other axes'
    functions, each times a polynomial in powers of u, by Horner's scheme. */
-static inline void skylight_sh_sum_block(const skylight_sh_real *rows, skylight_sh_real u,
-                                         const skylight_sh_real *others,
-                                         skylight_sh_real (*sums)[SKYLIGHT_SH_ROOM])
+SKYLIGHT_SH_INLINE void skylight_sh_sum_block(const skylight_sh_real *rows, int class_,
+                                              skylight_sh_real u, const skylight_sh_real *others,
+                                              skylight_sh_real *sums)
 {
     const skylight_sh_lanes power = skylight_sh_spread(u);
     int i, k;
-#define SKYLIGHT_SH_CLASS(class, polynomials) \
-    { \
+#define SKYLIGHT_SH_CLASS(which, polynomials) \
+    if (class_ == (which)) { \
         skylight_sh_lanes total[SKYLIGHT_SH_BLOCK]; \
         polynomials \
         for (k = 0; k < SKYLIGHT_SH_BLOCK; ++k) \
-            memcpy(sums[class] + k * SKYLIGHT_SH_LANES, &total[k], sizeof total[k]); \
+            memcpy(sums + k * SKYLIGHT_SH_LANES, &total[k], sizeof total[k]); \
     }
 #define SKYLIGHT_SH_NOTHING \
     for (k = 0; k < SKYLIGHT_SH_BLOCK; ++k) total[k] = skylight_sh_spread(0);
@@ -95,15 +95,16 @@ static inline void skylight_sh_sum(const skylight_sh_real *row, const unsigned c
 }
 #endif
 
-/* Sums each class's rows, one a term: the sums of the first `bands` bands. */
-static inline void skylight_sh_sum_rows(const skylight_sh_real *rows, const skylight_sh_real *first,
-                                        const skylight_sh_real *others, int bands,
-                                        skylight_sh_real sums[SKYLIGHT_SH_CLASSES][SKYLIGHT_SH_ROOM])
+/* The sums of one class's rows, one a term, for the first `bands` bands. */
+SKYLIGHT_SH_INLINE void skylight_sh_sum_class(const skylight_sh_real *rows, int class_,
+                                              const skylight_sh_real *first,
+                                              const skylight_sh_real *others, int bands,
+                                              skylight_sh_real *sums)
 {
     static const unsigned short starts[SKYLIGHT_SH_CLASSES] = SKYLIGHT_SH_STARTS;
     static const unsigned char lengths[SKYLIGHT_SH_CLASSES][SKYLIGHT_SH_OTHERS] = SKYLIGHT_SH_LENGTHS;
     static const unsigned short widths[SKYLIGHT_SH_BANDS] = SKYLIGHT_SH_WIDTHS;
-    int k;
+    const skylight_sh_real *const row = rows + (int)starts[class_] * SKYLIGHT_SH_WIDTH;
 #ifdef SKYLIGHT_SH_LANES
     int i;
     if (bands == SKYLIGHT_SH_BANDS) {
@@ -112,41 +113,35 @@ static inline void skylight_sh_sum_rows(const skylight_sh_real *rows, const skyl
             const int at = i + 1 < SKYLIGHT_SH_BLOCKS
                                ? i * SKYLIGHT_SH_BLOCK
                                : SKYLIGHT_SH_VECTORS(SKYLIGHT_SH_WIDTH) - SKYLIGHT_SH_BLOCK;
-            skylight_sh_sum_block(rows + at * SKYLIGHT_SH_LANES, first[1], others,
-                                  (skylight_sh_real(*)[SKYLIGHT_SH_ROOM])(
-                                      sums[0] + at * SKYLIGHT_SH_LANES));
+            skylight_sh_sum_block(rows + at * SKYLIGHT_SH_LANES, class_, first[1], others,
+                                  sums + at * SKYLIGHT_SH_LANES);
         }
         return;
     }
-#endif
-    for (k = 0; k < SKYLIGHT_SH_CLASSES; ++k) {
-        const skylight_sh_real *const row = rows + (int)starts[k] * SKYLIGHT_SH_WIDTH;
-        memset(sums[k], 0, sizeof sums[k]);
-#ifdef SKYLIGHT_SH_LANES
-        for (i = 0; i < SKYLIGHT_SH_VECTORS(widths[bands - 1]); ++i)
-            skylight_sh_sum_vector(row + i * SKYLIGHT_SH_LANES, lengths[k], first[1], others,
-                                   sums[k] + i * SKYLIGHT_SH_LANES);
+    memset(sums, 0, sizeof *sums * SKYLIGHT_SH_ROOM);
+    for (i = 0; i < SKYLIGHT_SH_VECTORS(widths[bands - 1]); ++i)
+        skylight_sh_sum_vector(row + i * SKYLIGHT_SH_LANES, lengths[class_], first[1], others,
+                               sums + i * SKYLIGHT_SH_LANES);
 #else
-        skylight_sh_sum(row, lengths[k], first[1], others, widths[bands - 1], sums[k]);
+    skylight_sh_sum(row, lengths[class_], first[1], others, widths[bands - 1], sums);
 #endif
-    }
 }
 #else
 
-/* The products of the functions of all axes, of each class in the order of its rows. */
-static inline void skylight_sh_multiply(const skylight_sh_real *first,
+/* The products of the functions of all axes, of one class in the order of its rows. */
+static inline void skylight_sh_multiply(int class_, const skylight_sh_real *first,
                                         const skylight_sh_real *others, skylight_sh_real *products)
 {
     int i;
 #ifdef SKYLIGHT_SH_LANES
     /* In fours: each overshoot is overwritten by the next line. */
-#define SKYLIGHT_SH_PRODUCT(place, count, other) \
-    for (i = 0; i < (count); i += 4) \
+#define SKYLIGHT_SH_PRODUCT(which, place, count, other) \
+    for (i = 0; i < (count) && class_ == (which); i += 4) \
         skylight_sh_keep(products + (place) + i, \
                          skylight_sh_load_four(first + i) * others[other]);
 #else
-#define SKYLIGHT_SH_PRODUCT(place, count, other) \
-    for (i = 0; i < (count); ++i) products[(place) + i] = first[i] * others[other];
+#define SKYLIGHT_SH_PRODUCT(which, place, count, other) \
+    for (i = 0; i < (count) && class_ == (which); ++i) products[(place) + i] = first[i] * others[other];
 #endif
     SKYLIGHT_SH_PRODUCTS(SKYLIGHT_SH_PRODUCT)
 #undef SKYLIGHT_SH_PRODUCT
@@ -247,26 +242,24 @@ static inline void skylight_sh_sum(const skylight_sh_real *row, int terms,
 }
 #endif
 
-/* Sums each class's rows, one a term: the sums of the first `bands` bands. */
-static inline void skylight_sh_sum_rows(const skylight_sh_real *rows, const skylight_sh_real *first,
-                                        const skylight_sh_real *others, int bands,
-                                        skylight_sh_real sums[SKYLIGHT_SH_CLASSES][SKYLIGHT_SH_ROOM])
+/* The sums of one class's rows, one a term, for the first `bands` bands. */
+static inline void skylight_sh_sum_class(const skylight_sh_real *rows, int class_,
+                                         const skylight_sh_real *first,
+                                         const skylight_sh_real *others, int bands,
+                                         skylight_sh_real *sums)
 {
     static const unsigned short starts[SKYLIGHT_SH_CLASSES] = SKYLIGHT_SH_STARTS;
     static const unsigned short counts[SKYLIGHT_SH_CLASSES] = SKYLIGHT_SH_COUNTS;
     static const unsigned short places[SKYLIGHT_SH_CLASSES] = SKYLIGHT_SH_PLACES;
     static const unsigned short widths[SKYLIGHT_SH_BANDS] = SKYLIGHT_SH_WIDTHS;
+    const skylight_sh_real *const row = rows + (int)starts[class_] * SKYLIGHT_SH_WIDTH;
     skylight_sh_real products[SKYLIGHT_SH_PRODUCTS_ROOM];
-    int k;
-    skylight_sh_multiply(first, others, products);
-    for (k = 0; k < SKYLIGHT_SH_CLASSES; ++k) {
-        const skylight_sh_real *const row = rows + (int)starts[k] * SKYLIGHT_SH_WIDTH;
-        if (bands == SKYLIGHT_SH_BANDS)
-            skylight_sh_sum(row, counts[k], products + places[k], SKYLIGHT_SH_WIDTH, sums[k]);
-        else {
-            memset(sums[k], 0, sizeof sums[k]);
-            skylight_sh_sum(row, counts[k], products + places[k], widths[bands - 1], sums[k]);
-        }
+    skylight_sh_multiply(class_, first, others, products);
+    if (bands == SKYLIGHT_SH_BANDS) {
+        skylight_sh_sum(row, counts[class_], products + places[class_], SKYLIGHT_SH_WIDTH, sums);
+    } else {
+        memset(sums, 0, sizeof *sums * SKYLIGHT_SH_ROOM);
+        skylight_sh_sum(row, counts[class_], products + places[class_], widths[bands - 1], sums);
     }
 }
 #endif
