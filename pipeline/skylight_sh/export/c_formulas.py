@@ -109,7 +109,7 @@ def slopes(table: Table) -> Iterator[str]:
 def _sine(table: Table) -> Program:
     """Return the sine of the peak's zenith angle as a table's own arithmetic takes it."""
     peak = next(axis for axis in table.axes if axis.name == table.spec.peak_axis)
-    short = not c_data.is_double(table) and -SHORT_END <= peak.low and peak.high <= SHORT_END
+    short = not c_data.is_double(table) and peak.low >= -SHORT_END and peak.high <= SHORT_END
     return SHORT_SINE if short else SINE
 
 

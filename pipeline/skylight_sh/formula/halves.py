@@ -15,7 +15,7 @@ _FUNCTION = 10
 
 
 def halves(whole: Program) -> tuple[Program, Program]:
-    """Return two programs: what is ready by half the time of ``whole``, then the rest over the inputs and the first's outputs.
+    """Return what is ready by half the time of ``whole``, and the rest of it over the inputs and the first's outputs.
 
     >>> from skylight_sh.formula.expression import trace
     >>> first, rest = halves(trace(lambda x: [(x * x + 1) * (x * x + 2) * x], ["x"]))

@@ -121,9 +121,9 @@ def _sloped(table: Table, axis: int) -> tuple[float, float]:
 
 def _in_double(table: Table) -> Table:
     """Return the same polynomials as a table of double precision."""
-    if isinstance(table.body, ClassRows):
-        # As the header has them.
-        held = in_powers(table)
+    # As the header has them.
+    held = in_powers(table)
+    if isinstance(held.body, ClassRows):
         return replace(held, body=replace(held.body, rows=held.body.rows.astype(np.float64)))
     if not isinstance(table.body, Packed):
         raise TypeError(f"An earlier version wrote a table of layout {table.body.kind!r}.")
