@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -10,12 +11,13 @@ from numpy.typing import ArrayLike, NDArray
 from skylight_sh import runtime, sphere
 from skylight_sh.fit.axis import Axis
 from skylight_sh.light.preetham import Preetham
-from skylight_sh.runtime import BitReader, Packed, Rows, Surroundings, Table
+from skylight_sh.runtime import BitReader, ClassRows, Packed, Rows, Surroundings, Table
 from skylight_sh.scene import surroundings
 from skylight_sh.scene.surroundings import Clouds
 from skylight_sh.table import bits, packed, prefactor, rows, twilight
+from skylight_sh.table.powers import POWERS, in_powers
 from skylight_sh.table.prefactor import closed_form, reciprocal
-from skylight_sh.table.row_layout import RowLayout, carried, layout
+from skylight_sh.table.row_layout import carried, columns, widths
 from skylight_sh.table.size import bytes_of, coefficients_of
 from skylight_sh.table.surroundings import gain
 from skylight_sh.table.table import fast, float32_limits, small, specification
@@ -26,44 +28,24 @@ HAZE = Axis("haze", 1.0, 3.0, map="log", point=0.5)
 
 
 def staircase(dtype: str = "float32", around: Surroundings | None = None, **scene: Any) -> Table:
-    """Two channels, three bands, lengths 3, 2 and 0: five terms."""
+    """Two channels, three bands, lengths 3, 2 and 0 of one, 2, 1 and 0 of the other: eight terms."""
     rng = np.random.default_rng(1)
     spec = specification((ZENITH, HAZE), ("a", "b"), True, "chebyshev", None, **scene)
     dense = rng.normal(size=(2, sphere.Harmonics.even(3).count, 4, 3))
-    return fast(spec, dense, np.array([3, 2, 0]), 3, dtype, around)
+    return fast(spec, dense, np.array([[3, 2, 0], [2, 1, 0]]), 3, dtype, around)
 
 
-def outputs(bands: int, channels: int, *, mirrored: bool, quantity: str = "radiance") -> RowLayout:
-    """The order of a table's outputs in a row."""
-    return layout(specification((ZENITH,), tuple("abc"[:channels]), mirrored, "chebyshev", quantity=quantity), bands)
+def order(bands: int, *, mirrored: bool, quantity: str = "radiance") -> tuple[list[int], tuple[int, ...]]:
+    """Each stored weight's column, and how many columns the first 1, 2, .. bands take."""
+    spec = specification((ZENITH,), ("a",), mirrored, "chebyshev", quantity=quantity)
+    return columns(spec, bands).tolist(), widths(spec, bands)
 
 
-def test_outputs_stand_in_fours_that_start_at_multiples_of_four() -> None:
-    found = outputs(4, 1, mirrored=True)
-    # Bands 0, 1 and 2 leave one, two and three; band 3 is a four of its own, and a gap before it is filled.
-    expected = [(0, 0, 0), (1, 0, 0), (1, 0, 1), (2, 0, 0), (2, 0, 1), (2, 0, 2), None, None]
-    expected += [(3, 0, 0), (3, 0, 1), (3, 0, 2), (3, 0, 3), None, None, None, None]
-    assert list(found.places) == expected
-    assert found.widths == (8, 8, 8, 16)
-    two = outputs(5, 2, mirrored=True)
-    for l in (3, 4):
-        for c in range(2):
-            for start in range((l + 1) % 4, l + 1, 4):
-                at = two.places.index((l, c, start))
-                assert at % 4 == 0
-                assert two.places[at : at + 4] == tuple((l, c, start + k) for k in range(4))
-    assert sorted(place for place in two.places if place) == [
-        (l, c, m) for l in range(5) for c in range(2) for m in range(l + 1)
-    ]
-    assert len(two.places) % 8 == 0
-    # The gap before a four of band 3 is filled with what band 4 leaves over.
-    assert None not in two.places[:20]
-    whole = outputs(2, 2, mirrored=False)
-    assert list(whole.places) == [(0, 0, 0), (0, 1, 0), *[(1, c, m) for c in range(2) for m in (-1, 0, 1)]]
-    assert whole.widths == (8, 8)
+def test_columns_are_the_stored_weights_that_carry_anything() -> None:
+    assert order(3, mirrored=True) == ([0, 1, 2, 3, 4, 5], (1, 3, 6))
+    assert order(2, mirrored=False) == ([0, 1, 2, 3], (1, 4))
     # Diffuse irradiance has no band 3.
-    diffuse = outputs(4, 1, mirrored=False, quantity="irradiance")
-    assert diffuse.columns(sphere.Harmonics(4), 1)[0, 9:].tolist() == [-1] * 7
+    assert order(5, mirrored=True, quantity="irradiance") == ([*range(6), *[-1] * 4, *range(6, 11)], (1, 3, 6, 6, 11))
 
 
 def test_diffuse_irradiance_has_no_odd_bands_but_the_first() -> None:
@@ -75,7 +57,7 @@ def test_bands_that_carry_nothing_are_zero() -> None:
     table = fast(
         specification((ZENITH,), ("a",), True, "chebyshev", None, quantity="irradiance"),
         np.ones((1, 10, 2)),
-        np.array(2),
+        np.array([2]),
         4,
         "float32",
     )
@@ -97,13 +79,13 @@ def test_sizes_are_those_of_every_number_read() -> None:
     """Of rows: width times terms, ranges and constants of the axes, a byte a length and a band's width."""
     table = staircase()
     assert table.degrees == (2, 1)
-    assert coefficients_of(table) == 5 * 2 * 6
-    # 12 outputs in 16 columns; an axis has two ends; reciprocal and log have three constants each.
+    assert coefficients_of(table) == 8 * 6
+    # An axis has two ends; reciprocal and log have three constants each.
     axes = (2 + 3) + (2 + 3)
-    assert layout(table.spec, 3).widths == (8, 8, 16)
-    assert bytes_of(table) == 4 * (5 * 16 + axes) + 2 + 3
-    assert bytes_of(table, 1) == 4 * (5 * 8 + axes) + 2 + 3
-    assert bytes_of(staircase(dtype="float64")) == 8 * (5 * 16 + axes) + 2 + 3
+    assert bytes_of(table) == 4 * (8 * 6 + axes) + 4 + 3
+    assert bytes_of(table, 1) == 4 * (8 * 1 + axes) + 4 + 3
+    assert bytes_of(table, 2) == 4 * (8 * 3 + axes) + 4 + 3
+    assert bytes_of(staircase(dtype="float64")) == 8 * (8 * 6 + axes) + 4 + 3
     assert bytes_of(staircase(peak_axis="sun_zenith", twilight=twilight.TWILIGHT)) - bytes_of(table) == 4 * 4
     around = Surroundings(np.eye(9), np.ones((2, 9)), np.zeros(0))
     surrounded = staircase(around=around)
@@ -119,7 +101,8 @@ def test_sizes_are_those_of_every_number_read() -> None:
     assert coefficients_of(whole) == 12
     assert isinstance(whole.body, Packed)
     profiles = whole.body.rest_profile.size + whole.body.channel_profile.size
-    assert bytes_of(whole) == len(whole.body.stream) + profiles + 4 * (axes + 4 + 1)
+    # Of the factor, 2 takes two bytes and the others, of many digits, four, with four for the scale.
+    assert bytes_of(whole) == len(whole.body.stream) + profiles + 4 * (axes + 1) + (2 + 3 * 4 + 4)
     assert bytes_of(whole, 2) < bytes_of(whole)
 
 
@@ -128,21 +111,21 @@ def test_prefactors_count_what_stands_in_their_code() -> None:
     assert sky is not None
     turbid = Axis("turbidity", 2.5, 6.0)
     closed = closed_form(sky, (ZENITH.specified, turbid.specified))
-    assert prefactor.numbers(closed) == len(sky.constants) + 25
+    assert prefactor.bytes_of_factor(closed, 4, packed=False) == 4 * (len(sky.constants) + 20)
     fixed = closed_form(sky, (ZENITH.specified,), {"turbidity": 3.0})
     assert fixed.fixed == (("turbidity", 3.0),)
-    assert prefactor.numbers(fixed) == len(sky.constants) + 1 + 25
+    assert prefactor.bytes_of_factor(fixed, 8, packed=False) == 8 * (len(sky.constants) + 1 + 20)
     zeniths = np.array([0.0, 0.6, 1.5])
     pairs = np.stack([zeniths, np.full(3, 3.0)], axis=-1)
     assert prefactor.evaluate(fixed, zeniths[:, np.newaxis]).tolist() == prefactor.evaluate(closed, pairs).tolist()
     # 2 + 0.3 T1(v) + 0.4 T1(u) + 0.1 T1(u) T1(v) at two places.
     axes = (Axis("a", 0.0, 1.0).specified, Axis("b", 0.0, 4.0).specified)
     found = reciprocal(np.array([[2.0, 0.3], [0.4, 0.1]]), axes)
-    assert prefactor.numbers(found) == 4
+    assert prefactor.bytes_of_factor(found, 4, packed=False) == 4 * 4
     got = prefactor.evaluate(found, np.array([[0.75, 1.0], [0.0, 4.0]]))
-    assert got == pytest.approx([1 / (2 - 0.15 + 0.2 - 0.025), 1 / (2 + 0.3 - 0.4 - 0.1)])
-    assert prefactor.evaluate(None, np.zeros((3, 2))).tolist() == [1.0] * 3
-    assert prefactor.numbers(None) == 0
+    assert got.ravel() == pytest.approx([1 / (2 - 0.15 + 0.2 - 0.025), 1 / (2 + 0.3 - 0.4 - 0.1)])
+    assert prefactor.evaluate(None, np.zeros((3, 2))).tolist() == [[1.0]] * 3
+    assert prefactor.bytes_of_factor(None, 4, packed=True) == 0
 
 
 def test_limits_leave_a_millionth() -> None:
@@ -158,7 +141,7 @@ def test_limits_leave_a_millionth() -> None:
     narrow = fast(
         specification((Axis("a", 0.0, 0.25),), ("one",), True, "chebyshev", None),
         np.ones((1, 1, 2)),
-        np.array(2),
+        np.array([2]),
         1,
         "float32",
     )
@@ -193,18 +176,17 @@ def test_twilight_is_its_formula() -> None:
 def test_the_runtime_sums_polynomials_and_turns_them() -> None:
     """One weight at a time: T_i(u) T_j(v) times its coefficient, m > 0 by the cosine, m < 0 by the sine (eq. 4)."""
     table = staircase(dtype="float64")
-    assert isinstance(table.body, Rows)
+    assert isinstance(table.body, ClassRows)
     theta, phi, haze = 0.7, 1.1, 2.2
     u = (1 / (5 - theta) - 1 / 5) / (1 / (5 - np.pi / 2) - 1 / 5) * 2 - 1
     v = np.log((haze - 0.5) / 0.5) / np.log(2.5 / 0.5) * 2 - 1
-    terms = np.array([1, u, 2 * u * u - 1, v, u * v])
+    terms = (np.array([1, u, 2 * u * u - 1, v, u * v]), np.array([1, u, v]))
     loaded = runtime.Runtime(table)
     got, status = loaded.weights_and_status(theta, phi, haze)
     assert status == runtime.OK == 0
-    for column, place in enumerate(layout(table.spec, 3).places):
-        if place:
-            l, c, m = place
-            value = terms @ table.body.rows[:, column]
+    for c, (own, values) in enumerate(zip(terms, np.split(table.body.rows, [5]), strict=True)):
+        for column, (l, m) in enumerate([(0, 0), (1, 0), (1, 1), (2, 0), (2, 1), (2, 2)]):
+            value = own @ values[:, column]
             assert got[c, l * (l + 1) + m] == pytest.approx(value * np.cos(m * phi))
             assert got[c, l * (l + 1) - m] == pytest.approx(value * (np.sin(m * phi) if m else 1.0))
     assert loaded.status(theta, phi, [0.0, 1.0, 3.0, 3.5, np.nan]).tolist() == [1, 0, 0, 1, 2]
@@ -214,6 +196,42 @@ def test_the_runtime_sums_polynomials_and_turns_them() -> None:
     for bands in (0, 4):
         with pytest.raises(ValueError, match="Should be 1 to 3"):
             loaded.weights(theta, phi, haze, bands=bands)
+
+
+def test_powers_are_the_same_polynomials() -> None:
+    """T2 = 2 u^2 - 1 and T1 T1 = u v; what grows too much, or is no polynomial, stays."""
+    table = staircase()
+    held = in_powers(table)
+    assert (held.spec.basis, held.degrees) == (POWERS, table.degrees)
+    assert isinstance(table.body, ClassRows)
+    assert isinstance(held.body, ClassRows)
+    assert held.body.lengths.tolist() == table.body.lengths.tolist() == [[3, 2], [2, 1]]
+    one, two = table.body.rows.astype(np.float64), held.body.rows
+    expected = np.stack([one[0] - one[2], one[1], 2 * one[2], *one[3:]])
+    assert two == pytest.approx(expected, rel=1e-6)
+    values = np.random.default_rng(4).uniform([0.0, 1.0], [np.pi / 2, 3.0], (50, 2))
+    assert held.evaluate(values) == pytest.approx(table.evaluate(values), abs=2e-6)
+    flat = np.ones((1, 1, 12))
+    steep = fast(specification((ZENITH,), ("a",), True, "chebyshev"), flat, np.array([12]), 1, "float32")
+    assert in_powers(steep) is steep
+    assert in_powers(staircase(dtype="float64")).spec.basis == "chebyshev"
+    waves = fast(specification((ZENITH,), ("a",), True, "fourier"), flat, np.array([12]), 1, "float32")
+    assert in_powers(waves) is waves
+
+
+def test_rows_of_earlier_versions_are_those_of_classes() -> None:
+    """A row that all channels kept becomes one of each; columns between them go."""
+    spec = specification((ZENITH,), ("a", "b"), True, "chebyshev")
+    columns_of_channels = np.array([[0, 2, 3], [1, 5, 6]], np.int16)
+    body = Rows(np.array([2], np.uint8), np.arange(16.0, dtype=np.float32).reshape(2, 8), columns_of_channels)
+    older = replace(fast(spec, np.ones((2, 3, 2)), np.array([2, 2]), 2, "float32"), body=body)
+    found = rows.by_class(older)
+    assert isinstance(found.body, ClassRows)
+    assert found.body.rows.tolist() == [[0, 2, 3], [8, 10, 11], [1, 5, 6], [9, 13, 14]]
+    assert (found.body.lengths.tolist(), found.body.columns.tolist()) == ([[2], [2]], [0, 1, 2])
+    values = np.array([[0.1], [1.2]])
+    assert np.array_equal(found.evaluate(values), older.evaluate(values))
+    assert rows.by_class(found) is found
 
 
 def test_bits_are_rice_codes() -> None:
