@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -10,10 +11,11 @@ from numpy.typing import ArrayLike, NDArray
 from skylight_sh import runtime, sphere
 from skylight_sh.fit.axis import Axis
 from skylight_sh.light.preetham import Preetham
-from skylight_sh.runtime import BitReader, ClassRows, Packed, Surroundings, Table
+from skylight_sh.runtime import BitReader, ClassRows, Packed, Rows, Surroundings, Table
 from skylight_sh.scene import surroundings
 from skylight_sh.scene.surroundings import Clouds
 from skylight_sh.table import bits, packed, prefactor, rows, twilight
+from skylight_sh.table.powers import POWERS, in_powers
 from skylight_sh.table.prefactor import bytes_of_factor, closed_form, reciprocal
 from skylight_sh.table.row_layout import carried, columns, widths
 from skylight_sh.table.size import bytes_of, coefficients_of
@@ -26,22 +28,24 @@ HAZE = Axis("haze", 1.0, 3.0, map="log", point=0.5)
 
 
 def staircase(dtype: str = "float32", around: Surroundings | None = None, **scene: Any) -> Table:
-    """Two channels, three bands, lengths 3, 2 and 0: five terms of one channel, four of the other."""
+    """Two channels, three bands, lengths 3, 2 and 0 of one, 2, 1 and 0 of the other: eight terms."""
     rng = np.random.default_rng(1)
     spec = specification((ZENITH, HAZE), ("a", "b"), True, "chebyshev", None, **scene)
     dense = rng.normal(size=(2, sphere.Harmonics.even(3).count, 4, 3))
-    return fast(spec, dense, np.array([[3, 2, 0], [3, 1, 0]]), 3, dtype, around)
+    return fast(spec, dense, np.array([[3, 2, 0], [2, 1, 0]]), 3, dtype, around)
 
 
-def test_outputs_stand_in_the_order_of_the_weights() -> None:
-    """Without the degrees that carry nothing: a table of fewer bands is a prefix."""
-    spec = specification((ZENITH,), ("a", "b"), True, "chebyshev", quantity="irradiance")
-    # m = 0; 0, 1; 0, 1, 2; band 3 carries no diffuse irradiance; five of band 4.
-    assert columns(spec, 5).tolist() == [0, 1, 2, 3, 4, 5, -1, -1, -1, -1, 6, 7, 8, 9, 10]
-    assert widths(spec, 5) == (1, 3, 6, 6, 11)
-    whole = specification((ZENITH,), ("a",), False, "chebyshev")
-    assert columns(whole, 2).tolist() == [0, 1, 2, 3]
-    assert widths(whole, 2) == (1, 4)
+def order(bands: int, *, mirrored: bool, quantity: str = "radiance") -> tuple[list[int], tuple[int, ...]]:
+    """Each stored weight's column, and how many columns the first 1, 2, .. bands take."""
+    spec = specification((ZENITH,), ("a",), mirrored, "chebyshev", quantity=quantity)
+    return columns(spec, bands).tolist(), widths(spec, bands)
+
+
+def test_columns_are_the_stored_weights_that_carry_anything() -> None:
+    assert order(3, mirrored=True) == ([0, 1, 2, 3, 4, 5], (1, 3, 6))
+    assert order(2, mirrored=False) == ([0, 1, 2, 3], (1, 4))
+    # Diffuse irradiance has no band 3.
+    assert order(5, mirrored=True, quantity="irradiance") == ([*range(6), *[-1] * 4, *range(6, 11)], (1, 3, 6, 6, 11))
 
 
 def test_diffuse_irradiance_has_no_odd_bands_but_the_first() -> None:
@@ -53,7 +57,7 @@ def test_bands_that_carry_nothing_are_zero() -> None:
     table = fast(
         specification((ZENITH,), ("a",), True, "chebyshev", None, quantity="irradiance"),
         np.ones((1, 10, 2)),
-        np.array(2),
+        np.array([2]),
         4,
         "float32",
     )
@@ -72,16 +76,16 @@ def test_rows_hold_the_terms_in_order() -> None:
 
 
 def test_sizes_are_those_of_every_number_read() -> None:
-    """Of rows: width times terms, ranges and constants of the axes, a byte a class's length and a band's width."""
+    """Of rows: width times terms, ranges and constants of the axes, a byte a length and a band's width."""
     table = staircase()
     assert table.degrees == (2, 1)
-    assert coefficients_of(table) == (5 + 4) * 6
+    assert coefficients_of(table) == 8 * 6
     # An axis has two ends; reciprocal and log have three constants each.
     axes = (2 + 3) + (2 + 3)
-    assert widths(table.spec, 3) == (1, 3, 6)
-    assert bytes_of(table) == 4 * (9 * 6 + axes) + 2 * 2 + 3
-    assert bytes_of(table, 1) == 4 * (9 * 1 + axes) + 2 * 2 + 3
-    assert bytes_of(staircase(dtype="float64")) == 8 * (9 * 6 + axes) + 2 * 2 + 3
+    assert bytes_of(table) == 4 * (8 * 6 + axes) + 4 + 3
+    assert bytes_of(table, 1) == 4 * (8 * 1 + axes) + 4 + 3
+    assert bytes_of(table, 2) == 4 * (8 * 3 + axes) + 4 + 3
+    assert bytes_of(staircase(dtype="float64")) == 8 * (8 * 6 + axes) + 4 + 3
     assert bytes_of(staircase(peak_axis="sun_zenith", twilight=twilight.TWILIGHT)) - bytes_of(table) == 4 * 4
     around = Surroundings(np.eye(9), np.ones((2, 9)), np.zeros(0))
     surrounded = staircase(around=around)
@@ -97,7 +101,8 @@ def test_sizes_are_those_of_every_number_read() -> None:
     assert coefficients_of(whole) == 12
     assert isinstance(whole.body, Packed)
     profiles = whole.body.rest_profile.size + whole.body.channel_profile.size
-    assert bytes_of(whole) == len(whole.body.stream) + profiles + 4 * (axes + 4 + 1)
+    # Of the factor, 2 takes two bytes and the others, of many digits, four, with four for the scale.
+    assert bytes_of(whole) == len(whole.body.stream) + profiles + 4 * (axes + 1) + (2 + 3 * 4 + 4)
     assert bytes_of(whole, 2) < bytes_of(whole)
 
 
@@ -141,7 +146,7 @@ def test_limits_leave_a_millionth() -> None:
     narrow = fast(
         specification((Axis("a", 0.0, 0.25),), ("one",), True, "chebyshev", None),
         np.ones((1, 1, 2)),
-        np.array(2),
+        np.array([2]),
         1,
         "float32",
     )
@@ -180,14 +185,13 @@ def test_the_runtime_sums_polynomials_and_turns_them() -> None:
     theta, phi, haze = 0.7, 1.1, 2.2
     u = (1 / (5 - theta) - 1 / 5) / (1 / (5 - np.pi / 2) - 1 / 5) * 2 - 1
     v = np.log((haze - 0.5) / 0.5) / np.log(2.5 / 0.5) * 2 - 1
-    terms = np.array([1, u, 2 * u * u - 1, v, u * v])
+    terms = (np.array([1, u, 2 * u * u - 1, v, u * v]), np.array([1, u, v]))
     loaded = runtime.Runtime(table)
     got, status = loaded.weights_and_status(theta, phi, haze)
     assert status == runtime.OK == 0
-    degrees, orders = sphere.Harmonics.even(3).degrees.tolist(), sphere.Harmonics.even(3).orders.tolist()
-    for column, (l, m) in enumerate(zip(degrees, orders, strict=True)):
-        for c, use in enumerate((slice(0, 5), slice(5, 9))):
-            value = terms[: use.stop - use.start] @ table.body.rows[use, column]
+    for c, (own, values) in enumerate(zip(terms, np.split(table.body.rows, [5]), strict=True)):
+        for column, (l, m) in enumerate([(0, 0), (1, 0), (1, 1), (2, 0), (2, 1), (2, 2)]):
+            value = own @ values[:, column]
             assert got[c, l * (l + 1) + m] == pytest.approx(value * np.cos(m * phi))
             assert got[c, l * (l + 1) - m] == pytest.approx(value * (np.sin(m * phi) if m else 1.0))
     assert loaded.status(theta, phi, [0.0, 1.0, 3.0, 3.5, np.nan]).tolist() == [1, 0, 0, 1, 2]
@@ -197,6 +201,42 @@ def test_the_runtime_sums_polynomials_and_turns_them() -> None:
     for bands in (0, 4):
         with pytest.raises(ValueError, match="Should be 1 to 3"):
             loaded.weights(theta, phi, haze, bands=bands)
+
+
+def test_powers_are_the_same_polynomials() -> None:
+    """T2 = 2 u^2 - 1 and T1 T1 = u v; what grows too much, or is no polynomial, stays."""
+    table = staircase()
+    held = in_powers(table)
+    assert (held.spec.basis, held.degrees) == (POWERS, table.degrees)
+    assert isinstance(table.body, ClassRows)
+    assert isinstance(held.body, ClassRows)
+    assert held.body.lengths.tolist() == table.body.lengths.tolist() == [[3, 2], [2, 1]]
+    one, two = table.body.rows.astype(np.float64), held.body.rows
+    expected = np.stack([one[0] - one[2], one[1], 2 * one[2], *one[3:]])
+    assert two == pytest.approx(expected, rel=1e-6)
+    values = np.random.default_rng(4).uniform([0.0, 1.0], [np.pi / 2, 3.0], (50, 2))
+    assert held.evaluate(values) == pytest.approx(table.evaluate(values), abs=2e-6)
+    flat = np.ones((1, 1, 12))
+    steep = fast(specification((ZENITH,), ("a",), True, "chebyshev"), flat, np.array([12]), 1, "float32")
+    assert in_powers(steep) is steep
+    assert in_powers(staircase(dtype="float64")).spec.basis == "chebyshev"
+    waves = fast(specification((ZENITH,), ("a",), True, "fourier"), flat, np.array([12]), 1, "float32")
+    assert in_powers(waves) is waves
+
+
+def test_rows_of_earlier_versions_are_those_of_classes() -> None:
+    """A row that all channels kept becomes one of each; columns between them go."""
+    spec = specification((ZENITH,), ("a", "b"), True, "chebyshev")
+    columns_of_channels = np.array([[0, 2, 3], [1, 5, 6]], np.int16)
+    body = Rows(np.array([2], np.uint8), np.arange(16.0, dtype=np.float32).reshape(2, 8), columns_of_channels)
+    older = replace(fast(spec, np.ones((2, 3, 2)), np.array([2, 2]), 2, "float32"), body=body)
+    found = rows.by_class(older)
+    assert isinstance(found.body, ClassRows)
+    assert found.body.rows.tolist() == [[0, 2, 3], [8, 10, 11], [1, 5, 6], [9, 13, 14]]
+    assert (found.body.lengths.tolist(), found.body.columns.tolist()) == ([[2], [2]], [0, 1, 2])
+    values = np.array([[0.1], [1.2]])
+    assert np.array_equal(found.evaluate(values), older.evaluate(values))
+    assert rows.by_class(found) is found
 
 
 def test_bits_are_rice_codes() -> None:

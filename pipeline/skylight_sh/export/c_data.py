@@ -204,8 +204,12 @@ def _sums(table: Table) -> Iterator[str]:
     rooms = -(-terms // _FOUR) * _FOUR
     places = np.cumsum(rooms) - rooms
     yield ""
-    yield from commented("Classes; a row's numbers, one a sum, and those of the first 1, 2, .. bands; room for a class's sums.")
+    yield from commented(
+        "Classes; a row's numbers, one a sum, and those of the first 1, 2, .. bands; room for a class's sums."
+    )
     yield f"#define {P}_CLASSES {table.spec.classes}"
+    later = " ".join(f"CLASS({k})" for k in range(1, table.spec.classes))
+    yield f"#define {P}_OTHER_CLASSES(CLASS) {later}".rstrip()
     yield f"#define {P}_FACTORS {len(table.spec.scale.program.outputs) if table.spec.scale else 1}"
     yield f"#define {P}_WIDTH {width}"
     yield f"#define {P}_WIDTHS {_braced(int(np.sum((column >= 0) & (degrees < n))) for n in range(1, table.bands + 1))}"
@@ -216,12 +220,25 @@ def _sums(table: Table) -> Iterator[str]:
     yield f"#define {P}_COUNTS {_braced(terms.tolist())}"
     yield f"#define {P}_PLACES {_braced(places.tolist())}"
     yield f"#define {P}_PRODUCTS_ROOM {int(rooms.sum()) + _FOUR}"
-    yield from commented("Of each class and product of the other axes' functions: how many functions of the first axis it has.")
+    yield from commented(
+        "Of each class and product of the other axes' functions: how many functions of the first axis it has."
+    )
     yield f"#define {P}_LENGTHS {_braced(map(_braced, lengths.tolist()))}"
-    yield from commented("The same: of each that has any, the place of its first product, how many, the other axes' product.")
+    yield from commented(
+        "The same: of each that has any, class, place of the first product, how many, the other axes' product."
+    )
     starts = places[:, np.newaxis] + np.cumsum(lengths, axis=1) - lengths
-    kept = [(int(starts[k, r]), int(lengths[k, r]), r) for k, r in np.ndindex(*lengths.shape) if lengths[k, r]]
-    yield from _list(f"#define {P}_PRODUCTS(PRODUCT)", [f"PRODUCT({start}, {n}, {r})" for start, n, r in kept])
+    kept = [(k, int(starts[k, r]), int(lengths[k, r]), r) for k, r in np.ndindex(*lengths.shape) if lengths[k, r]]
+    yield from _list(f"#define {P}_PRODUCTS(PRODUCT)", [f"PRODUCT({k}, {start}, {n}, {r})" for k, start, n, r in kept])
+    if "HAS_POWERS" in features(table):
+        yield from commented("The same: of each class the first row of each polynomial, its rows, the other axes' product.")
+        first = np.concatenate([[0], np.cumsum(lengths)[:-1]]).reshape(lengths.shape)
+        classes = [
+            [f"POLYNOMIAL({first[k, r]}, {lengths[k, r]}, {r})" for r in range(lengths.shape[1]) if lengths[k, r]]
+            for k in range(len(lengths))
+        ]
+        found = [f"CLASS({k}, NOTHING {' '.join(one)})" for k, one in enumerate(classes)]
+        yield from _list(f"#define {P}_POLYNOMIALS(CLASS, NOTHING, POLYNOMIAL)", found)
     yield from _places(table, column)
 
 
@@ -234,7 +251,8 @@ def _places(table: Table, column: NDArray[np.int64]) -> Iterator[str]:
         yield from commented("The same for vectors of four: places, two vectors of sums and the numbers of both, order.")
         yield f"#define {P}_FOURS {-(-int(column.max() + 1) // _FOUR)}"
         yield from _list(
-            f"#define {P}_STORES(BAND, NOTHING, MINUS, PLUS)", [_band(l, first[l], int(column.max())) for l in range(table.bands)]
+            f"#define {P}_STORES(BAND, NOTHING, MINUS, PLUS)",
+            [_band(l, first[l], int(column.max())) for l in range(table.bands)],
         )
 
 
@@ -264,7 +282,9 @@ def _rows(body: ClassRows) -> Iterator[str]:
     width = body.rows.shape[1]
     number = exact if body.rows.dtype == np.float64 else single
     yield ""
-    yield from commented("Of each class, a row a term (functions of the other axes, then of the first): its number for every sum.")
+    yield from commented(
+        "Of each class, a row a term (functions of the other axes, then of the first): its number for every sum."
+    )
     numbers = [number(c) for c in body.rows.ravel().tolist()]
     # The last row is read in vectors of as many numbers as a compiler has.
     numbers += [number(0.0)] * (-width % _WIDEST)

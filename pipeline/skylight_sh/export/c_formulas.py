@@ -9,16 +9,15 @@ from skylight_sh.export.evaluators import commented
 from skylight_sh.formula import printers
 from skylight_sh.formula.azimuth import TURN, stretched_waves
 from skylight_sh.formula.bases import BASES
-from skylight_sh.formula.elementary import sin
-from skylight_sh.formula.expression import trace, with_derivatives
+from skylight_sh.formula.expression import with_derivatives
+from skylight_sh.formula.halves import halves
 from skylight_sh.formula.printers import C_DOUBLE, C_SINGLE, Language
+from skylight_sh.formula.sine import SHORT_END, SHORT_SINE, SINE
 from skylight_sh.formula.window import SINC
 from skylight_sh.runtime import Program, Table
 from skylight_sh.table.prefactor import CLOSED_FORM
 
 P, _p = c_data.P, "skylight_sh"
-# Of the peak's zenith angle.
-SINE = trace(lambda theta: [sin(theta)], ["theta"])
 
 
 def functions(table: Table) -> Iterator[str]:
@@ -28,9 +27,16 @@ def functions(table: Table) -> Iterator[str]:
     yield from commented(f"What all weights share: {_about(table)}.")
     scale = table.spec.scale
     if scale and c_data.is_mixed(table):
-        targets = [f"out[{k}]" for k in range(len(scale.program.outputs))]
-        lines = [*printers.assignments(scale.program, language, x, targets), "(void)x;"]
-        yield from _function(f"void {_p}_factors(const {real} *x, {real} *out)", lines)
+        early, rest = halves(scale.program)
+        targets = [f"early[{k}]" for k in range(len(early.outputs))]
+        yield f"#define {P}_EARLY {max(len(targets), 1)}"
+        yield ""
+        lines = [*printers.assignments(early, language, x, targets), "(void)x;", "(void)early;"]
+        yield from _function(f"void {_p}_begin_factors(const {real} *x, {real} *early)", lines)
+        outputs = [f"out[{k}]" for k in range(len(rest.outputs))]
+        lines = [*printers.assignments(rest, language, [*x, *targets], outputs), "(void)x;", "(void)early;"]
+        yield from commented("The rest of it.")
+        yield from _function(f"void {_p}_end_factors(const {real} *x, const {real} *early, {real} *out)", lines)
     else:
         scaled = _returning(scale.program, language, x) if scale else ["return 1;"]
         lines = scaled if any("x[" in line for line in scaled) else ["(void)x;", *scaled]
@@ -48,7 +54,7 @@ def functions(table: Table) -> Iterator[str]:
     if table.spec.parity:
         yield from commented("The sine of the sun's zenith angle, whose powers the sums of order m lack.")
         peak = f"x[{P}_SUN]"
-        yield from _function(f"{real} {_p}_sine(const {real} *x)", _returning(SINE, language, [peak]))
+        yield from _function(f"{real} {_p}_sine(const {real} *x)", _returning(_sine(table), language, [peak]))
     if not table.spec.mirrored:
         yield from commented("The weights of orders m and -m turned by the azimuth (Habel et al. 2008, eq. 4).")
         found, results = printers.statements(TURN, language, ["plus", "minus", "cosine", "sine"])
@@ -98,6 +104,13 @@ def slopes(table: Table) -> Iterator[str]:
         program = with_derivatives(table.spec.twilight.program, [0])
         lines = printers.assignments(program, C_DOUBLE, ["depth"], ["out[0]", "out[1]"])
         yield from _function(f"void {_p}_fade_slope(double depth, double *out)", lines)
+
+
+def _sine(table: Table) -> Program:
+    """Return the sine of the peak's zenith angle as a table's own arithmetic takes it."""
+    peak = next(axis for axis in table.axes if axis.name == table.spec.peak_axis)
+    short = not c_data.is_double(table) and peak.low >= -SHORT_END and peak.high <= SHORT_END
+    return SHORT_SINE if short else SINE
 
 
 def _about(table: Table) -> str:

@@ -40,7 +40,7 @@ def reciprocal(coefficients: Floats, axes: Sequence[Axis]) -> Scale:
 
     >>> from skylight_sh.fit.axis import Axis
     >>> halved = reciprocal(np.array([2.0, 1.0]), [Axis("height", 0.0, 1.0).specified])
-    >>> evaluate(halved, np.array([[0.0], [0.5], [1.0]])).round(4).tolist()
+    >>> evaluate(halved, np.array([[0.0], [0.5], [1.0]])).ravel().round(4).tolist()
     [1.0, 0.5, 0.3333]
     """
     functions = BASES["chebyshev"]

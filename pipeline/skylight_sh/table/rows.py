@@ -29,7 +29,7 @@ def arrange(dense: Floats, lengths: Lengths, columns: NDArray[np.int16], dtype: 
 
 
 def by_class(table: Table) -> Table:
-    """Return ``table`` with the rows of each class by themselves, where an earlier version wrote one row for all channels."""
+    """Return ``table`` with each class's own rows, where an earlier version wrote one row for all channels."""
     body = table.body
     if not isinstance(body, Rows):
         return table

@@ -16,6 +16,7 @@ from skylight_sh.export import c_data
 from skylight_sh.formula.bases import BASES
 from skylight_sh.runtime import ClassRows, Packed, Table, unpack
 from skylight_sh.studies import compiled
+from skylight_sh.table.powers import in_powers
 from skylight_sh.table.table import whole
 
 Array = NDArray[np.float64]
@@ -120,8 +121,10 @@ def _sloped(table: Table, axis: int) -> tuple[float, float]:
 
 def _in_double(table: Table) -> Table:
     """Return the same polynomials as a table of double precision."""
-    if isinstance(table.body, ClassRows):
-        return replace(table, body=replace(table.body, rows=table.body.rows.astype(np.float64)))
+    # As the header has them.
+    held = in_powers(table)
+    if isinstance(held.body, ClassRows):
+        return replace(held, body=replace(held.body, rows=held.body.rows.astype(np.float64)))
     if not isinstance(table.body, Packed):
         raise TypeError(f"An earlier version wrote a table of layout {table.body.kind!r}.")
     numbers = _spread(table, table.body).transpose(1, 0, 2, 3) * np.float64(np.float32(table.body.step))

@@ -83,6 +83,9 @@ static inline int skylight_sh_evaluate(const skylight_sh_real *rows,
     skylight_sh_real sums[SKYLIGHT_SH_CLASSES][SKYLIGHT_SH_ROOM];
     skylight_sh_real factors[SKYLIGHT_SH_CHANNELS * SKYLIGHT_SH_CLASSES];
     skylight_sh_real light = SKYLIGHT_SH_EXPOSURE, radius = 1;
+#if SKYLIGHT_SH_IS_MIXED
+    skylight_sh_real early[SKYLIGHT_SH_EARLY];
+#endif
     int i, all, status = skylight_sh_inputs(inputs, azimuth, x);
     if (status == 2) {
         memset(weights, 0, sizeof(float) * SKYLIGHT_SH_CHANNELS * SKYLIGHT_SH_WEIGHTS);
@@ -103,8 +106,7 @@ static inline int skylight_sh_evaluate(const skylight_sh_real *rows,
     skylight_sh_first(x, first);
     skylight_sh_others(x, others);
 #if SKYLIGHT_SH_IS_MIXED
-    skylight_sh_factors(x, factors);
-    for (i = 0; i < SKYLIGHT_SH_CHANNELS * SKYLIGHT_SH_CLASSES; ++i) factors[i] *= light;
+    skylight_sh_begin_factors(x, early);
 #else
     light *= skylight_sh_scale(x);
     for (i = 0; i < SKYLIGHT_SH_OTHERS; ++i) others[i] *= light;
@@ -116,14 +118,24 @@ static inline int skylight_sh_evaluate(const skylight_sh_real *rows,
 #else
     all = bands;
 #endif
-#if SKYLIGHT_SH_HAS_ROWS
-    skylight_sh_sum_rows(rows, first, others, all, sums);
-#else
+#if !SKYLIGHT_SH_HAS_ROWS
+    if (!rows) skylight_sh_sum_stream(first, others, all, sums);
     if (rows)
-        skylight_sh_sum_rows(rows, first, others, all, sums);
-    else
-        skylight_sh_sum_stream(first, others, all, sums);
 #endif
+        skylight_sh_sum_class(rows, 0, first, others, all, sums[0]);
+#if SKYLIGHT_SH_IS_MIXED
+    /* Between sums: what has begun above waits for itself, and there is more to do meanwhile. */
+    skylight_sh_end_factors(x, early, factors);
+    for (i = 0; i < SKYLIGHT_SH_CHANNELS * SKYLIGHT_SH_CLASSES; ++i) factors[i] *= light;
+#endif
+#if !SKYLIGHT_SH_HAS_ROWS
+    if (rows)
+#endif
+    {
+#define SKYLIGHT_SH_CLASS(k) skylight_sh_sum_class(rows, k, first, others, all, sums[k]);
+        SKYLIGHT_SH_OTHER_CLASSES(SKYLIGHT_SH_CLASS)
+#undef SKYLIGHT_SH_CLASS
+    }
     skylight_sh_store(sums, factors, cosines, sines, all, weights);
     skylight_sh_finish(bands, 1, weights);
     if (bands < SKYLIGHT_SH_BANDS) {

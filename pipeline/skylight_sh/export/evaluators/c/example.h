@@ -46,6 +46,7 @@ static const skylight_sh_real skylight_sh_range[SKYLIGHT_SH_AXES][2] = { { 0.0f,
 /* Classes; a row's numbers, one a sum, and those of the first 1, 2, ..
    bands; room for a class's sums. */
 #define SKYLIGHT_SH_CLASSES 3
+#define SKYLIGHT_SH_OTHER_CLASSES(CLASS) CLASS(1) CLASS(2)
 #define SKYLIGHT_SH_FACTORS 1
 #define SKYLIGHT_SH_WIDTH 6
 #define SKYLIGHT_SH_WIDTHS { 1, 3, 6 }
@@ -60,27 +61,21 @@ static const skylight_sh_real skylight_sh_range[SKYLIGHT_SH_AXES][2] = { { 0.0f,
 /* Of each class and product of the other axes' functions: how many
    functions of the first axis it has. */
 #define SKYLIGHT_SH_LENGTHS { { 6, 5, 4 }, { 5, 4, 3 }, { 4, 3, 2 } }
-/* The same: of each that has any, the place of its first product, how many,
-   the other axes' product. */
+/* The same: of each that has any, class, place of the first product, how
+   many, the other axes' product. */
 #define SKYLIGHT_SH_PRODUCTS(PRODUCT) \
-    PRODUCT(0, 6, 0) \
-    PRODUCT(6, 5, 1) \
-    PRODUCT(11, 4, 2) \
-    PRODUCT(16, 5, 0) \
-    PRODUCT(21, 4, 1) \
-    PRODUCT(25, 3, 2) \
-    PRODUCT(28, 4, 0) \
-    PRODUCT(32, 3, 1) \
-    PRODUCT(35, 2, 2)
+    PRODUCT(0, 0, 6, 0) \
+    PRODUCT(0, 6, 5, 1) \
+    PRODUCT(0, 11, 4, 2) \
+    PRODUCT(1, 16, 5, 0) \
+    PRODUCT(1, 21, 4, 1) \
+    PRODUCT(1, 25, 3, 2) \
+    PRODUCT(2, 28, 4, 0) \
+    PRODUCT(2, 32, 3, 1) \
+    PRODUCT(2, 35, 2, 2)
 /* Where sums go: of each degree, the first column, or -1 where it carries
    nothing. */
 #define SKYLIGHT_SH_COLUMNS { 0, 1, 3 }
-/* Of each low degree, order and column; of the others, in fours, order,
-   column and the place of m = 0. */
-#define SKYLIGHT_SH_LOW(BAND, ONE) \
-    BAND(0, ONE(0, 0, 0)) \
-    BAND(1, ONE(1, 0, 1) ONE(1, 1, 2)) \
-    BAND(2, ONE(2, 0, 3) ONE(2, 1, 4) ONE(2, 2, 5))
 
 /* Of each class, a row a term (functions of the other axes, then of the
    first): its number for every sum. */
@@ -153,6 +148,7 @@ static const skylight_sh_real skylight_sh_below[27] = {
     -0.0114066489f, 0.166726708f, -0.0220827274f, 0.0593123212f, -0.0453968905f, -0.0283752978f,
     0.0876577497f, 0.296195447f, 0.138556436f
 };
+#define SKYLIGHT_SH_UNPACKED 334
 
 /* Runs of numbers, one a product of the other axes' functions, and their
    profiles; what one step is worth. */

@@ -12,39 +12,47 @@
 #if SKYLIGHT_SH_HAS_POWERS
 #ifdef SKYLIGHT_SH_LANES
 
-/* The sum over a class's products of the other axes' functions, each times a polynomial in
-   powers of u, by Horner's scheme: SKYLIGHT_SH_BLOCK vectors of each row. */
-static inline void skylight_sh_sum_block(const skylight_sh_real *row, const unsigned char *lengths,
-                                         skylight_sh_real u, const skylight_sh_real *others,
-                                         skylight_sh_real *sums)
+/* One class's sums, for SKYLIGHT_SH_BLOCK vectors of each row: over the products of the other axes'
+   functions, each times a polynomial in powers of u, by Horner's scheme. */
+SKYLIGHT_SH_INLINE void skylight_sh_sum_block(const skylight_sh_real *rows, int class_,
+                                              skylight_sh_real u, const skylight_sh_real *others,
+                                              skylight_sh_real *sums)
 {
     const skylight_sh_lanes power = skylight_sh_spread(u);
-    skylight_sh_lanes total[SKYLIGHT_SH_BLOCK];
-    int other, k;
-    for (k = 0; k < SKYLIGHT_SH_BLOCK; ++k) total[k] = skylight_sh_spread(0);
-    for (other = 0; other < SKYLIGHT_SH_OTHERS; ++other) {
-        const int length = lengths[other];
-        skylight_sh_lanes sum[SKYLIGHT_SH_BLOCK], factor;
-        const skylight_sh_real *term = row + (length - 1) * SKYLIGHT_SH_WIDTH;
-        if (!length) continue;
-        for (k = 0; k < SKYLIGHT_SH_BLOCK; ++k)
-            sum[k] = skylight_sh_load(term + k * SKYLIGHT_SH_LANES);
-        while (term != row) {
-            term -= SKYLIGHT_SH_WIDTH;
-            for (k = 0; k < SKYLIGHT_SH_BLOCK; ++k)
-                sum[k] = skylight_sh_add(sum[k], power,
-                                         skylight_sh_load(term + k * SKYLIGHT_SH_LANES));
-        }
-        factor = skylight_sh_spread(others[other]);
-        for (k = 0; k < SKYLIGHT_SH_BLOCK; ++k)
-            total[k] = skylight_sh_add(sum[k], factor, total[k]);
-        row += length * SKYLIGHT_SH_WIDTH;
+    int i, k;
+#define SKYLIGHT_SH_CLASS(which, polynomials) \
+    if (class_ == (which)) { \
+        skylight_sh_lanes total[SKYLIGHT_SH_BLOCK]; \
+        polynomials \
+        for (k = 0; k < SKYLIGHT_SH_BLOCK; ++k) \
+            memcpy(sums + k * SKYLIGHT_SH_LANES, &total[k], sizeof total[k]); \
     }
-    for (k = 0; k < SKYLIGHT_SH_BLOCK; ++k)
-        memcpy(sums + k * SKYLIGHT_SH_LANES, &total[k], sizeof total[k]);
+#define SKYLIGHT_SH_NOTHING \
+    for (k = 0; k < SKYLIGHT_SH_BLOCK; ++k) total[k] = skylight_sh_spread(0);
+#define SKYLIGHT_SH_POLYNOMIAL(start, count, other) \
+    { \
+        const skylight_sh_real *term = rows + ((start) + (count) - 1) * SKYLIGHT_SH_WIDTH; \
+        const skylight_sh_lanes factor = skylight_sh_spread(others[other]); \
+        skylight_sh_lanes sum[SKYLIGHT_SH_BLOCK]; \
+        for (k = 0; k < SKYLIGHT_SH_BLOCK; ++k) \
+            sum[k] = skylight_sh_load(term + k * SKYLIGHT_SH_LANES); \
+        for (i = 1; i < (count); ++i) { \
+            term -= SKYLIGHT_SH_WIDTH; \
+            for (k = 0; k < SKYLIGHT_SH_BLOCK; ++k) \
+                sum[k] = skylight_sh_add(sum[k], power, \
+                                         skylight_sh_load(term + k * SKYLIGHT_SH_LANES)); \
+        } \
+        for (k = 0; k < SKYLIGHT_SH_BLOCK; ++k) SKYLIGHT_SH_TOTAL(k) \
+    }
+#define SKYLIGHT_SH_TOTAL(k) total[k] = skylight_sh_add(sum[k], factor, total[k]);
+    SKYLIGHT_SH_POLYNOMIALS(SKYLIGHT_SH_CLASS, SKYLIGHT_SH_NOTHING, SKYLIGHT_SH_POLYNOMIAL)
+#undef SKYLIGHT_SH_CLASS
+#undef SKYLIGHT_SH_NOTHING
+#undef SKYLIGHT_SH_POLYNOMIAL
+#undef SKYLIGHT_SH_TOTAL
 }
 
-/* The same for one vector of each row. */
+/* One class's sums, for one vector of each row. */
 static inline void skylight_sh_sum_vector(const skylight_sh_real *row, const unsigned char *lengths,
                                           skylight_sh_real u, const skylight_sh_real *others,
                                           skylight_sh_real *sums)
@@ -67,24 +75,9 @@ static inline void skylight_sh_sum_vector(const skylight_sh_real *row, const uns
     }
     memcpy(sums, &total, sizeof total);
 }
-
-/* The first `count` numbers of a class's sums. */
-static inline void skylight_sh_sum(const skylight_sh_real *row, const unsigned char *lengths,
-                                   skylight_sh_real u, const skylight_sh_real *others, int count,
-                                   skylight_sh_real *sums)
-{
-    const int vectors = SKYLIGHT_SH_VECTORS(count);
-    int k = 0;
-    for (; k + SKYLIGHT_SH_BLOCK <= vectors; k += SKYLIGHT_SH_BLOCK)
-        skylight_sh_sum_block(row + k * SKYLIGHT_SH_LANES, lengths, u, others,
-                              sums + k * SKYLIGHT_SH_LANES);
-    for (; k < vectors; ++k)
-        skylight_sh_sum_vector(row + k * SKYLIGHT_SH_LANES, lengths, u, others,
-                               sums + k * SKYLIGHT_SH_LANES);
-}
 #else
 
-/* The same with plain numbers, for as many as a row has. */
+/* One class's sums, with plain numbers. */
 static inline void skylight_sh_sum(const skylight_sh_real *row, const unsigned char *lengths,
                                    skylight_sh_real u, const skylight_sh_real *others, int count,
                                    skylight_sh_real *sums)
@@ -102,41 +95,53 @@ static inline void skylight_sh_sum(const skylight_sh_real *row, const unsigned c
 }
 #endif
 
-/* Sums each class's rows, one a term: the sums of the first `bands` bands. */
-static inline void skylight_sh_sum_rows(const skylight_sh_real *rows, const skylight_sh_real *first,
-                                        const skylight_sh_real *others, int bands,
-                                        skylight_sh_real sums[SKYLIGHT_SH_CLASSES][SKYLIGHT_SH_ROOM])
+/* The sums of one class's rows, one a term, for the first `bands` bands. */
+SKYLIGHT_SH_INLINE void skylight_sh_sum_class(const skylight_sh_real *rows, int class_,
+                                              const skylight_sh_real *first,
+                                              const skylight_sh_real *others, int bands,
+                                              skylight_sh_real *sums)
 {
     static const unsigned short starts[SKYLIGHT_SH_CLASSES] = SKYLIGHT_SH_STARTS;
     static const unsigned char lengths[SKYLIGHT_SH_CLASSES][SKYLIGHT_SH_OTHERS] = SKYLIGHT_SH_LENGTHS;
     static const unsigned short widths[SKYLIGHT_SH_BANDS] = SKYLIGHT_SH_WIDTHS;
-    int k;
-    for (k = 0; k < SKYLIGHT_SH_CLASSES; ++k) {
-        const skylight_sh_real *const row = rows + (int)starts[k] * SKYLIGHT_SH_WIDTH;
-        if (bands == SKYLIGHT_SH_BANDS)
-            skylight_sh_sum(row, lengths[k], first[1], others, SKYLIGHT_SH_WIDTH, sums[k]);
-        else {
-            memset(sums[k], 0, sizeof sums[k]);
-            skylight_sh_sum(row, lengths[k], first[1], others, widths[bands - 1], sums[k]);
+    const skylight_sh_real *const row = rows + (int)starts[class_] * SKYLIGHT_SH_WIDTH;
+#ifdef SKYLIGHT_SH_LANES
+    int i;
+    if (bands == SKYLIGHT_SH_BANDS) {
+        for (i = 0; i < SKYLIGHT_SH_BLOCKS; ++i) {
+            /* The last block may overlap the one before. */
+            const int at = i + 1 < SKYLIGHT_SH_BLOCKS
+                               ? i * SKYLIGHT_SH_BLOCK
+                               : SKYLIGHT_SH_VECTORS(SKYLIGHT_SH_WIDTH) - SKYLIGHT_SH_BLOCK;
+            skylight_sh_sum_block(rows + at * SKYLIGHT_SH_LANES, class_, first[1], others,
+                                  sums + at * SKYLIGHT_SH_LANES);
         }
+        return;
     }
+    memset(sums, 0, sizeof *sums * SKYLIGHT_SH_ROOM);
+    for (i = 0; i < SKYLIGHT_SH_VECTORS(widths[bands - 1]); ++i)
+        skylight_sh_sum_vector(row + i * SKYLIGHT_SH_LANES, lengths[class_], first[1], others,
+                               sums + i * SKYLIGHT_SH_LANES);
+#else
+    skylight_sh_sum(row, lengths[class_], first[1], others, widths[bands - 1], sums);
+#endif
 }
 #else
 
-/* The products of the functions of all axes, of each class in the order of its rows. */
-static inline void skylight_sh_multiply(const skylight_sh_real *first,
+/* The products of the functions of all axes, of one class in the order of its rows. */
+static inline void skylight_sh_multiply(int class_, const skylight_sh_real *first,
                                         const skylight_sh_real *others, skylight_sh_real *products)
 {
     int i;
 #ifdef SKYLIGHT_SH_LANES
     /* In fours: each overshoot is overwritten by the next line. */
-#define SKYLIGHT_SH_PRODUCT(place, count, other) \
-    for (i = 0; i < (count); i += 4) \
+#define SKYLIGHT_SH_PRODUCT(which, place, count, other) \
+    for (i = 0; i < (count) && class_ == (which); i += 4) \
         skylight_sh_keep(products + (place) + i, \
                          skylight_sh_load_four(first + i) * others[other]);
 #else
-#define SKYLIGHT_SH_PRODUCT(place, count, other) \
-    for (i = 0; i < (count); ++i) products[(place) + i] = first[i] * others[other];
+#define SKYLIGHT_SH_PRODUCT(which, place, count, other) \
+    for (i = 0; i < (count) && class_ == (which); ++i) products[(place) + i] = first[i] * others[other];
 #endif
     SKYLIGHT_SH_PRODUCTS(SKYLIGHT_SH_PRODUCT)
 #undef SKYLIGHT_SH_PRODUCT
@@ -237,26 +242,24 @@ static inline void skylight_sh_sum(const skylight_sh_real *row, int terms,
 }
 #endif
 
-/* Sums each class's rows, one a term: the sums of the first `bands` bands. */
-static inline void skylight_sh_sum_rows(const skylight_sh_real *rows, const skylight_sh_real *first,
-                                        const skylight_sh_real *others, int bands,
-                                        skylight_sh_real sums[SKYLIGHT_SH_CLASSES][SKYLIGHT_SH_ROOM])
+/* The sums of one class's rows, one a term, for the first `bands` bands. */
+static inline void skylight_sh_sum_class(const skylight_sh_real *rows, int class_,
+                                         const skylight_sh_real *first,
+                                         const skylight_sh_real *others, int bands,
+                                         skylight_sh_real *sums)
 {
     static const unsigned short starts[SKYLIGHT_SH_CLASSES] = SKYLIGHT_SH_STARTS;
     static const unsigned short counts[SKYLIGHT_SH_CLASSES] = SKYLIGHT_SH_COUNTS;
     static const unsigned short places[SKYLIGHT_SH_CLASSES] = SKYLIGHT_SH_PLACES;
     static const unsigned short widths[SKYLIGHT_SH_BANDS] = SKYLIGHT_SH_WIDTHS;
+    const skylight_sh_real *const row = rows + (int)starts[class_] * SKYLIGHT_SH_WIDTH;
     skylight_sh_real products[SKYLIGHT_SH_PRODUCTS_ROOM];
-    int k;
-    skylight_sh_multiply(first, others, products);
-    for (k = 0; k < SKYLIGHT_SH_CLASSES; ++k) {
-        const skylight_sh_real *const row = rows + (int)starts[k] * SKYLIGHT_SH_WIDTH;
-        if (bands == SKYLIGHT_SH_BANDS)
-            skylight_sh_sum(row, counts[k], products + places[k], SKYLIGHT_SH_WIDTH, sums[k]);
-        else {
-            memset(sums[k], 0, sizeof sums[k]);
-            skylight_sh_sum(row, counts[k], products + places[k], widths[bands - 1], sums[k]);
-        }
+    skylight_sh_multiply(class_, first, others, products);
+    if (bands == SKYLIGHT_SH_BANDS) {
+        skylight_sh_sum(row, counts[class_], products + places[class_], SKYLIGHT_SH_WIDTH, sums);
+    } else {
+        memset(sums, 0, sizeof *sums * SKYLIGHT_SH_ROOM);
+        skylight_sh_sum(row, counts[class_], products + places[class_], widths[bands - 1], sums);
     }
 }
 #endif

@@ -15,6 +15,12 @@
 #endif
 #endif
 #endif
+/* What is worth its place in every caller. */
+#ifdef __GNUC__
+#define SKYLIGHT_SH_INLINE static inline __attribute__((always_inline))
+#else
+#define SKYLIGHT_SH_INLINE static inline
+#endif
 #ifdef SKYLIGHT_SH_LANES
 #ifdef __FMA__
 /* One operation for a product and a sum, which standard C may not choose by itself. */
