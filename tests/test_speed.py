@@ -247,7 +247,10 @@ def test_a_contest_of_a_small_run(
     rows = evaluation.calls(found).rows
     assert len(rows) == len(found.candidates) * len(found.results)
     assert {row["table"] for row in evaluation.rivals(found).rows} >= set(tables)
-    assert "were disturbed by other work" in evaluation.calls(found).text
+    told_of = evaluation.calls(found)
+    assert "were disturbed by other work" in told_of.text
+    assert told_of.draw
+    assert len(told_of.draw(told_of.rows).axes) == 2
     quoted = engines.section(found, name).rows
     assert quoted[0]["frames late"] == 0
     speed.save(tmp_path, found)
