@@ -18,21 +18,23 @@ TEXT = (
     "4,096 suns, nanoseconds of CPU time a sun: single calls in a loop against one batch of the same suns. `a day` differs "
     "in the first axis and azimuth alone, so that a batch sums the other axes once; in `mixed weather` every sun has its "
     "own. `times faster` is the batch than the single calls, round by round, and `spread` its interquartile range over the "
-    "median; `over stores` how many times as long it takes as writing its output takes alone. All of a build take turns in "
-    "one process."
+    "median; `over stores` how many times as long it takes as writing its output takes alone. Single calls of a packed "
+    "table decode it each time. All of a build take turns in one process."
 )
 
 
-def section(tables: Mapping[str, Table], repeats: int) -> Section:
-    """Time every table laid out for speed, in every build."""
+def section(tables: Mapping[str, Table], recommended: str, repeats: int) -> Section:
+    """Time every table laid out for speed, in every build; of packed ones that of the ``recommended`` budget, portable."""
     fast = {name: table for name, table in tables.items() if not isinstance(table.body, Packed)}
+    packed = {name: table for name, table in tables.items() if name not in fast and contest.twin_of(name) == recommended}
     rows: list[Row] = []
     with tempfile.TemporaryDirectory() as folder:
         place = Path(folder)
         for build, flags in compiled.builds(place / "probe").items():
-            entrants = {key: entrant for name, table in fast.items() for key, entrant in _entrants(name, table).items()}
+            timed = fast | (packed if build == "portable" else {})
+            entrants = {key: entrant for name, table in timed.items() for key, entrant in _entrants(name, table).items()}
             found = race.run(entrants, flags, place / build, 3 * repeats).warm
-            for name in fast:
+            for name in timed:
                 for suns in (_DAY, _MIXED):
                     single, batch, stores = (f"{name}, {suns}, {what}" for what in (_SINGLE, _BATCH, _STORES))
                     ratio, over = found.times_faster(batch, single), found.times_faster(stores, batch)

@@ -42,6 +42,8 @@ def calls(contest: Contest) -> Section:
                 figures["cold "] = (result.cold.time(name), result.cold.times_faster(name, LITERAL))
             row: dict[str, object] = {
                 "table": name,
+                "kind": candidate.kind,
+                "bands": candidate.bands,
                 "build": build,
                 "bytes": candidate.bytes,
                 "code": contest.code[name],
@@ -93,34 +95,44 @@ def told(contest: Contest) -> str:
     )
 
 
+# What the picture tells apart, by candidates' kinds.
+_GROUPS = {
+    "fast tables": ("table",),
+    "packed tables, decoded at every call": ("packed table",),
+    "packed tables, decoded once": ("unpacked table",),
+    "the paper's scheme": ("paper",),
+    "lookup tables, linear": ("lookup, linear",),
+    "lookup tables, cubic": ("lookup, cubic",),
+    "quadrature and brute force": ("direct", "brute force"),
+}
+
+
 def _draw(rows: Sequence[Row]) -> Figure:
     from skylight_sh.report import style
 
-    figure = style.figure(12, 5.2)
-    left, right = figure.subplots(1, 2, sharey=True)
-    labels = ("the paper's scheme", "lookup tables", "no table", "this pipeline")
-    for row in (row for row in rows if row["build"] == "portable" and row["E_mean"] is not None):
-        name = str(row["table"])
-        group = _group(name)
-        for panel, key in ((left, "ns"), (right, "bytes")):
-            style_of = {"color": style.SERIES[group], "markersize": 8, "label": labels[group]}
-            panel.loglog(row[key], row["E_mean"], style.MARKERS[group], **style_of)
-            if group in (0, 3):
-                panel.annotate(name, (row[key], row["E_mean"]), fontsize=7, xytext=(5, 4), textcoords="offset points")
-    left.set_xlabel("nanoseconds a call, warm, -O3")
-    right.set_xlabel("bytes of constants")
-    left.set_ylabel("largest E_mean of what is returned")
-    left.yaxis.set_major_formatter(style.percent_ticks())
-    for panel in (left, right):
+    figure = style.figure(12, 5.8)
+    panels = figure.subplots(1, 2, sharey=True)
+    shown = [row for row in rows if row["build"] == "portable" and row["E_mean"] is not None]
+    most = max(int(str(row["bands"])) for row in shown)
+    for label, kinds, colour, marker in zip(_GROUPS, _GROUPS.values(), style.SERIES, style.MARKERS, strict=True):
+        for filled in (True, False):
+            mine = [row for row in shown if row["kind"] in kinds and (row["bands"] == most) == filled]
+            for panel, key in zip(panels, ("ns", "bytes"), strict=True):
+                panel.loglog(
+                    [row[key] for row in mine],
+                    [row["E_mean"] for row in mine],
+                    marker,
+                    color=colour,
+                    markerfacecolor=colour if filled else "none",
+                    markersize=8,
+                    label=label if filled else None,
+                )
+    panels[0].set_xlabel("nanoseconds a call, warm, -O3")
+    panels[1].set_xlabel("bytes of constants")
+    panels[0].set_ylabel("largest E_mean of what is returned")
+    panels[0].yaxis.set_major_formatter(style.percent_ticks())
+    for panel in panels:
         panel.grid(True, alpha=0.3)
-    handles = dict(zip(*reversed(left.get_legend_handles_labels()), strict=True))
-    left.legend(handles.values(), handles.keys(), fontsize=8)
+    figure.suptitle(f"filled: {most} bands; open: fewer", fontsize=10)
+    figure.legend(*panels[0].get_legend_handles_labels(), loc="outside lower center", ncols=4, fontsize=8)
     return figure
-
-
-def _group(name: str) -> int:
-    if name.startswith("paper"):
-        return 0
-    if ": lookup" in name:
-        return 1
-    return 2 if name.startswith("brute") or name.endswith(": direct") else 3

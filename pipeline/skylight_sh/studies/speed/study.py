@@ -37,7 +37,7 @@ SPEED = Study(
     "noisy. Errors are fractions.",
     sections=(
         _contest,
-        lambda on: batch.section(on.tables, on.repeats),
+        lambda on: batch.section(on.tables, on.config.export.recommended, on.repeats),
         lambda on: entropy.section(on.tables),
         lambda on: profiles.section(on.config, on.samples, on.repeats),
         lambda on: rules.section(on.config, on.repeats),
