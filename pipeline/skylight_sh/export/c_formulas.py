@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 from skylight_sh.export import c_data
 from skylight_sh.export.evaluators import commented
@@ -14,8 +15,9 @@ from skylight_sh.formula.halves import halves
 from skylight_sh.formula.printers import C_DOUBLE, C_SINGLE, Language
 from skylight_sh.formula.sine import SHORT_END, SHORT_SINE, SINE
 from skylight_sh.formula.window import SINC
-from skylight_sh.runtime import Program, Table
+from skylight_sh.runtime import Packed, Program, Table
 from skylight_sh.table.prefactor import CLOSED_FORM
+from skylight_sh.table.short_numbers import short
 
 P, _p = c_data.P, "skylight_sh"
 
@@ -25,22 +27,12 @@ def functions(table: Table) -> Iterator[str]:
     language, real = c_data.language(table), f"{_p}_real"
     x = [f"x[{axis}]" for axis in range(len(table.axes))]
     yield from commented(f"What all weights share: {_about(table)}.")
-    scale = table.spec.scale
-    if scale and c_data.is_mixed(table):
-        early, rest = halves(scale.program)
-        targets = [f"early[{k}]" for k in range(len(early.outputs))]
-        yield f"#define {P}_EARLY {max(len(targets), 1)}"
+    shorts: list[int] = []
+    factors = list(_factors(table, _with_shorts(language, shorts) if _keeps_shorts(table) else language, x))
+    if shorts:
+        yield f"static const unsigned short {_p}_short[{len(shorts)}] = {{ {', '.join(map(str, shorts))} }};"
         yield ""
-        lines = [*printers.assignments(early, language, x, targets), "(void)x;", "(void)early;"]
-        yield from _function(f"void {_p}_begin_factors(const {real} *x, {real} *early)", lines)
-        outputs = [f"out[{k}]" for k in range(len(rest.outputs))]
-        lines = [*printers.assignments(rest, language, [*x, *targets], outputs), "(void)x;", "(void)early;"]
-        yield from commented("The rest of it.")
-        yield from _function(f"void {_p}_end_factors(const {real} *x, const {real} *early, {real} *out)", lines)
-    else:
-        scaled = _returning(scale.program, language, x) if scale else ["return 1;"]
-        lines = scaled if any("x[" in line for line in scaled) else ["(void)x;", *scaled]
-        yield from _function(f"{real} {_p}_scale(const {real} *x)", lines)
+    yield from factors
     yield from commented(f"The functions of {_axis(table, 0)}; 0 where there is none.")
     yield from _function(f"void {_p}_first(const {real} *x, {real} *out)", _first(table, language))
     others = ", ".join(_axis(table, axis) for axis in range(1, len(x)))
@@ -67,6 +59,49 @@ def functions(table: Table) -> Iterator[str]:
         yield from commented("The share of the horizon's light at the sun's depth below it, 0 to 1.")
         lines = _returning(table.spec.twilight.program, language, ["depth"])
         yield from _function(f"{real} {_p}_fade({real} depth)", lines)
+
+
+def _factors(table: Table, language: Language, x: Sequence[str]) -> Iterator[str]:
+    """Yield the functions of what multiplies sums."""
+    real, scale = f"{_p}_real", table.spec.scale
+    if scale and c_data.is_mixed(table):
+        early, rest = halves(scale.program)
+        targets = [f"early[{k}]" for k in range(len(early.outputs))]
+        yield f"#define {P}_EARLY {max(len(targets), 1)}"
+        yield ""
+        lines = [*printers.assignments(early, language, x, targets), "(void)x;", "(void)early;"]
+        yield from _function(f"void {_p}_begin_factors(const {real} *x, {real} *early)", lines)
+        outputs = [f"out[{k}]" for k in range(len(rest.outputs))]
+        lines = [*printers.assignments(rest, language, [*x, *targets], outputs), "(void)x;", "(void)early;"]
+        yield from commented("The rest of it.")
+        yield from _function(f"void {_p}_end_factors(const {real} *x, const {real} *early, {real} *out)", lines)
+    else:
+        scaled = _returning(scale.program, language, x) if scale else ["return 1;"]
+        lines = scaled if any("x[" in line for line in scaled) else ["(void)x;", *scaled]
+        yield from _function(f"{real} {_p}_scale(const {real} *x)", lines)
+
+
+def _keeps_shorts(table: Table) -> bool:
+    """Say whether a closed form's numbers of few digits stand in two bytes: those of packed tables."""
+    scale = table.spec.scale
+    return isinstance(table.body, Packed) and scale is not None and scale.kind == CLOSED_FORM
+
+
+def _with_shorts(language: Language, shorts: list[int]) -> Language:
+    """Return ``language`` with numbers of few digits read from an array of whole numbers, which ``shorts`` collects."""
+
+    def number(value: float) -> str:
+        found = short(value)
+        if found is None:
+            return language.number(value)
+        whole, power = abs(found[0]), found[1]
+        if whole not in shorts:
+            shorts.append(whole)
+        # The scale has the sign.
+        sign = -1.0 if found[0] < 0 else 1.0
+        return f"({language.number(sign * 10.0**-power)} * {_p}_short[{shorts.index(whole)}])"
+
+    return replace(language, number=number)
 
 
 def slopes(table: Table) -> Iterator[str]:
