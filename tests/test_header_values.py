@@ -67,7 +67,7 @@ def test_a_self_test_names_what_fails(tmp_path: Path) -> None:
     assert 0 < failed < count
     assert outcome(header, f"{1.1 * deviation:.3g}")[0] == 0
 
-    kept = "    return status;\n}\n\n/* Evaluates `count` suns"
+    kept = "    return status;\n}\n\n/* One of many suns"
     start = "    int i, all, status = skylight_sh_inputs("
     assert header.count(kept) == header.count(start) == 1
     # The last weight stays as it was before the call: no number, so that it counts as no deviation.

@@ -61,11 +61,13 @@ def features(table: Table) -> set[str]:
     """Return what this table needs of the evaluator."""
     spec, around = table.spec, table.surroundings
     lit = around is not None
+    powers = isinstance(table.body, ClassRows) and spec.basis == POWERS
     grounded = spec.ground == "black" and not spec.windowed and spec.quantity == "radiance" and not lit and table.bands > 1
     found = {
         "HAS_ROWS": isinstance(table.body, ClassRows),
+        "HAS_WIDE": spec.mirrored and powers and not is_double(table) and not lit and table.bands > 1,
         "HAS_PARITY": spec.parity,
-        "HAS_POWERS": isinstance(table.body, ClassRows) and spec.basis == POWERS,
+        "HAS_POWERS": powers,
         "IS_MIRRORED": spec.mirrored,
         "IS_MIXED": is_mixed(table),
         "IS_SINGLE": not is_double(table),

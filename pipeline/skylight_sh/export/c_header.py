@@ -104,7 +104,7 @@ def example(table: Table, twin: Table) -> str:
 
 
 def _parts(table: Table) -> list[str]:
-    return ["inputs", "vectors", "turn", "rows", *(["packed"] if _is_packed(table) else []), "evaluate", "gradient"]
+    return ["inputs", "vectors", "turn", "rows", *(["packed"] if _is_packed(table) else []), "evaluate", "batch", "gradient"]
 
 
 def _is_packed(table: Table) -> bool:
@@ -144,6 +144,10 @@ def _signatures(table: Table) -> dict[str, tuple[str, str]]:
             f"int count, {arrays}, float (*weights){_WEIGHTS}",
             f"{batch}    return {_p}_evaluate_batch({rows}, count, {given}, {many}, weights);",
         ),
+        "weights_columns": (
+            f"int count, {arrays}, float *weights",
+            f"{batch}    return {_p}_evaluate_columns({rows}, count, {given}, {many}, weights);",
+        ),
         "weights_gradient": (
             f"{numbers}, float weights{_WEIGHTS}, float gradient[{_P}_AXES]{_WEIGHTS}",
             f"{single}    return {_p}_evaluate_gradient({rows}, {given}, {azimuth}, weights, gradient);",
@@ -153,11 +157,12 @@ def _signatures(table: Table) -> dict[str, tuple[str, str]]:
         return found
     memory = f"float memory[{_P}_UNPACKED]"
     # Decoded once, for all suns.
-    found["weights_batch"] = (
-        found["weights_batch"][0],
-        f"{batch}    float {_p}_memory[{_P}_UNPACKED];\n    if (count > 1) {_p}_unpack_rows({_p}_memory);\n"
-        f"    return {_p}_evaluate_batch(count > 1 ? {_p}_memory : NULL, count, {given}, {many}, weights);",
-    )
+    for name, called in (("weights_batch", "evaluate_batch"), ("weights_columns", "evaluate_columns")):
+        found[name] = (
+            found[name][0],
+            f"{batch}    float {_p}_memory[{_P}_UNPACKED];\n    if (count > 1) {_p}_unpack_rows({_p}_memory);\n"
+            f"    return {_p}_{called}(count > 1 ? {_p}_memory : NULL, count, {given}, {many}, weights);",
+        )
     return found | {
         "unpack": (memory, f"    {_p}_unpack_rows(memory);"),
         "unpacked_weights": (
@@ -171,6 +176,10 @@ def _signatures(table: Table) -> dict[str, tuple[str, str]]:
         "unpacked_weights_batch": (
             f"const {memory}, int count, {arrays}, float (*weights){_WEIGHTS}",
             f"{batch}    return {_p}_evaluate_batch(memory, count, {given}, {many}, weights);",
+        ),
+        "unpacked_weights_columns": (
+            f"const {memory}, int count, {arrays}, float *weights",
+            f"{batch}    return {_p}_evaluate_columns(memory, count, {given}, {many}, weights);",
         ),
     }
 
@@ -188,12 +197,14 @@ def _declarations(table: Table) -> Iterator[str]:
         "weights_bands": f"Evaluates the first `bands` bands (1 to {_P}_BANDS, clamped likewise) and zeroes the rest.",
         "weights_batch": "Evaluates `count` suns from arrays; returns the largest status."
         + ("" if "HAS_ROWS" in has else f" Unpacks the table once, {_P}_UNPACKED floats on the stack."),
+        "weights_columns": f"The same with the suns of each weight side by side: [{_P}_CHANNELS][{_P}_WEIGHTS][count].",
         "weights_gradient": f"Evaluates all bands and their derivatives after each axis ({axes}), per unit of the axis; "
         "beyond a range, those at its edge.",
         "unpack": f"Unpacks the table into memory of the caller's, {_P}_UNPACKED floats, for the calls below.",
         "unpacked_weights": "Evaluates all bands of an unpacked table: far faster than of the packed one.",
         "unpacked_weights_bands": "The same for the first `bands` bands.",
         "unpacked_weights_batch": "The same for `count` suns from arrays; returns the largest status.",
+        "unpacked_weights_columns": f"The same as [{_P}_CHANNELS][{_P}_WEIGHTS][count].",
     }
     for name, (parameters, _) in _signatures(table).items():
         yield from evaluators.commented(told[name])

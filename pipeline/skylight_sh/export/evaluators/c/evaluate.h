@@ -145,21 +145,3 @@ static inline int skylight_sh_evaluate(const skylight_sh_real *rows,
     }
     return status;
 }
-
-/* Evaluates `count` suns from arrays, one an axis, and one of azimuths (or none, where the table
-   fixes it); returns the largest status. */
-static inline int skylight_sh_evaluate_batch(
-    const skylight_sh_real *rows, int count, const float *const inputs[SKYLIGHT_SH_AXES],
-    const float *azimuths, float (*weights)[SKYLIGHT_SH_CHANNELS][SKYLIGHT_SH_WEIGHTS])
-{
-    int s, axis, worst = 0;
-    for (s = 0; s < count; ++s) {
-        const float azimuth = azimuths ? azimuths[s] : SKYLIGHT_SH_AZIMUTH;
-        float sun[SKYLIGHT_SH_AXES];
-        int status;
-        for (axis = 0; axis < SKYLIGHT_SH_AXES; ++axis) sun[axis] = inputs[axis][s];
-        status = skylight_sh_evaluate(rows, sun, azimuth, SKYLIGHT_SH_BANDS, weights[s]);
-        worst = status > worst ? status : worst;
-    }
-    return worst;
-}

@@ -1,5 +1,5 @@
 #pragma once
-#include "evaluate.h"
+#include "batch.h"
 
 /* All products of `count` numbers and `size` functions, the functions' place fastest; returns how
    many. */
