@@ -136,7 +136,7 @@ def _speed(found: Released) -> str:
         "cold: literal",
         "cold: lookup",
     ]
-    parts = [told, _table(heading, rows), _packed(speed, bands), _wins(speed, names)]
+    parts = [told, _table(heading, rows), _others(speed, bands), _wins(speed, names)]
     return "\n\n".join(part for part in parts if part)
 
 
@@ -144,18 +144,23 @@ def _speed(found: Released) -> str:
 _BUILDS = {"portable": "-O3", "AVX2": "AVX2", "native": "-march=native"}
 
 
-def _packed(speed: Mapping[str, Any], bands: int) -> str:
-    """Say what packed tables cost, decoded at every call or once, at -O3."""
-    times: dict[str, list[str]] = {kind: [] for kind in ("packed table", "unpack", "unpacked table")}
+def _others(speed: Mapping[str, Any], bands: int) -> str:
+    """Say what packed tables cost, decoded at every call or once, and what doing without a table does, at -O3."""
+    times: dict[str, list[str]] = {}
     for row in speed["candidates"]:
-        if row["bands"] == bands and row["kind"] in times:
-            times[row["kind"]].append(f"{row['times']['portable']['ns']['median']:,.0f}")
-    if not times["packed table"]:
-        return ""
-    told = f"Packed tables decode at every call, which takes {' / '.join(times['packed table'])} ns (-O3)"
-    if times["unpack"]:
-        told += f"; decoded once in {' / '.join(times['unpack'])} ns, a call takes {' / '.join(times['unpacked table'])} ns"
-    return _words(f"{told}.")
+        if row["bands"] == bands:
+            times.setdefault(row["kind"], []).append(f"{row['times']['portable']['ns']['median']:,.0f}")
+    listed = {kind: " / ".join(found) for kind, found in times.items()}
+    told = []
+    if "packed table" in listed:
+        told.append(f"Packed tables decode at every call, which takes {listed['packed table']} ns (-O3)")
+    if "unpack" in listed:
+        told[-1] += f"; decoded once in {listed['unpack']} ns, a call takes {listed['unpacked table']} ns"
+    if "direct" in listed:
+        told.append(f"Without a table, the sky's quadrature as exact as these takes {listed['direct']} ns")
+    if "brute force" in listed:
+        told.append(f"Summing 1,024 directions by brute force takes {listed['brute force']} ns")
+    return _words(" ".join(f"{sentence}." for sentence in told))
 
 
 def _against(speed: Mapping[str, Any], name: str) -> list[Mapping[str, Any]]:
