@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import re
 import textwrap
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -136,7 +136,7 @@ def _speed(found: Released) -> str:
         "cold: literal",
         "cold: lookup",
     ]
-    parts = [told, _table(heading, rows), _packed(speed, bands), _wins(speed, names)]
+    parts = [told, _table(heading, rows), _others(speed, bands), _wins(speed, bands)]
     return "\n\n".join(part for part in parts if part)
 
 
@@ -144,18 +144,23 @@ def _speed(found: Released) -> str:
 _BUILDS = {"portable": "-O3", "AVX2": "AVX2", "native": "-march=native"}
 
 
-def _packed(speed: Mapping[str, Any], bands: int) -> str:
-    """Say what packed tables cost, decoded at every call or once, at -O3."""
-    times: dict[str, list[str]] = {kind: [] for kind in ("packed table", "unpack", "unpacked table")}
+def _others(speed: Mapping[str, Any], bands: int) -> str:
+    """Say what packed tables cost, decoded at every call or once, and what doing without a table does, at -O3."""
+    times: dict[str, list[str]] = {}
     for row in speed["candidates"]:
-        if row["bands"] == bands and row["kind"] in times:
-            times[row["kind"]].append(f"{row['times']['portable']['ns']['median']:,.0f}")
-    if not times["packed table"]:
-        return ""
-    told = f"Packed tables decode at every call, which takes {' / '.join(times['packed table'])} ns (-O3)"
-    if times["unpack"]:
-        told += f"; decoded once in {' / '.join(times['unpack'])} ns, a call takes {' / '.join(times['unpacked table'])} ns"
-    return _words(f"{told}.")
+        if row["bands"] == bands:
+            times.setdefault(row["kind"], []).append(f"{row['times']['portable']['ns']['median']:,.0f}")
+    listed = {kind: " / ".join(found) for kind, found in times.items()}
+    told = []
+    if "packed table" in listed:
+        told.append(f"Packed tables decode at every call, which takes {listed['packed table']} ns (-O3)")
+    if "unpack" in listed:
+        told[-1] += f"; decoded once in {listed['unpack']} ns, a call takes {listed['unpacked table']} ns"
+    if "direct" in listed:
+        told.append(f"Without a table, the sky's quadrature as exact as these takes {listed['direct']} ns")
+    if "brute force" in listed:
+        told.append(f"Summing 1,024 directions by brute force takes {listed['brute force']} ns")
+    return _words(" ".join(f"{sentence}." for sentence in told))
 
 
 def _against(speed: Mapping[str, Any], name: str) -> list[Mapping[str, Any]]:
@@ -176,26 +181,32 @@ def _three(times: Mapping[str, Any], name: str, build: str) -> str:
     return f"{times[name][build]['ns']['median']:,.0f}"
 
 
-def _wins(speed: Mapping[str, Any], names: Sequence[str]) -> str:
-    """Say where a rival wins, warm, in builds where it is faster by 5 % or more."""
+def _wins(speed: Mapping[str, Any], bands: int) -> str:
+    """Say where a rival wins, warm, in builds where it is faster by 5 % or more; of packed tables by how much at most."""
     kinds = {row["name"]: row["kind"] for row in speed["candidates"]}
+    rivals = {name: _RIVALS.get(kind, name) for name, kind in kinds.items()}
     lost: dict[str, list[str]] = {}
-    for name in names:
+    packed: dict[str, float] = {}
+    for name in (row["name"] for row in speed["candidates"] if row["bands"] == bands):
         for row in _against(speed, name):
             ratios = {build: times["warm"] for build, times in row["times"].items() if times["warm"]["median"] < _EVEN}
-            if ratios:
-                times = [_digits(1 / ratio["median"], 2) for ratio in ratios.values()]
+            rival, times = rivals[row["rival"]], [1 / ratio["median"] for ratio in ratios.values()]
+            if not times or kinds[row["rival"]] == "table":
+                continue
+            if kinds[name] == "packed table":
+                packed[rival] = max(packed.get(rival, 0.0), *times)
+            elif kinds[name] == "table":
                 where = "" if len(ratios) == len(row["times"]) else f" ({', '.join(_BUILDS[build] for build in ratios)})"
-                size = _digits(row["bytes"], 2)
-                rival = _RIVALS.get(kinds[row["rival"]]) or row["rival"]
-                lost.setdefault(rival, []).append(
-                    f"{' / '.join(times)} times as fast as {name}{where}, {size} times its bytes"
-                )
-    if not lost:
+                told = f"{' / '.join(_digits(time, 2) for time in times)} times as fast as {name}{where}"
+                lost.setdefault(rival, []).append(f"{told}, {_digits(row['bytes'], 2)} times its bytes")
+    lines = [f"- {rival}: {'; '.join(told)}" for rival, told in lost.items()]
+    if packed:
+        most = ", ".join(f"{rival} by up to {_digits(times, 2)} times" for rival, times in packed.items())
+        lines.append(f"- against packed tables that decode at every call: {most}")
+    if not lines:
         return "No rival is faster than any of these tables, warm."
-    told = (f"- {rival}: {'; '.join(parts)}" for rival, parts in lost.items())
-    lines = [textwrap.fill(line, _WIDTH, subsequent_indent="  ", break_on_hyphens=False) for line in told]
-    return "\n".join(["Where a rival wins, warm:", "", *lines])
+    wrapped = (textwrap.fill(line, _WIDTH, subsequent_indent="  ", break_on_hyphens=False) for line in lines)
+    return "\n".join(["Where a rival wins, warm:", "", *wrapped])
 
 
 _EVEN = 0.95
@@ -203,7 +214,7 @@ _EVEN = 0.95
 _RIVALS = {
     "lookup, cubic": "a cubic lookup table as exact",
     "lookup, linear": "a linear lookup table as exact",
-    "direct": "the sky's own quadrature, without a table",
+    "direct": "the sky's own quadrature",
 }
 
 
