@@ -32,14 +32,14 @@
  *   Define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_EXPOSURE before this file (where it holds the table)
  *   to multiply all weights (1 by default).
  *
- * Accuracy, as shipped: E_mean 0.00452 %, E_max 0.0118 % of the least luminance of the same sky, at
+ * Accuracy, as shipped: E_mean 0.00468 %, E_max 0.0122 % of the least luminance of the same sky, at
  * azimuth 0.
  * The expansion rings: the least value it takes, over all directions and measured sets, is -12.5 %
  * of its largest in the same set; the window below tames it.
- * Memory: 2278 bytes of constants, packed into few bytes (a fast table takes more and less time).
+ * Memory: 1737 bytes of constants, packed into few bytes (a fast table takes more and less time).
  *
  * Provenance
- *   skylight-sh 0.1.0, config preetham 7738be1e848979ca, table 4-bands-0.005pct-packed
+ *   skylight-sh 0.1.0, config preetham 50c449acd9f31f25, table 4-bands-0.005pct-packed
  */
 #ifdef __cplusplus
 #if __cplusplus < 201103L && !defined(_MSC_VER)
@@ -66,7 +66,7 @@ before."
 #endif
 
 #ifndef SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_H
-#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_H 0x33854719
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_H 0x8cc739fe
 
 #include <math.h>
 #include <stdint.h>
@@ -92,8 +92,9 @@ before."
 #define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CHANNELS 3
 #define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_AXES 2
 #define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_UNIT "cd/m2"
-#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_E_MEAN 4.522000e-05
-#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_E_MAX 1.180000e-04
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_E_MEAN 4.678000e-05
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_E_MAX 1.217000e-04
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_UNPACKED 1406
 #define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_SUN_ZENITH_MIN 0.0f
 #define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_SUN_ZENITH_MAX 1.57079637f
 #define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_TURBIDITY_MIN 2.5f
@@ -112,13 +113,19 @@ SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_API int skylight_sh_4_bands_0_005pct_packed_
     float
     weights[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CHANNELS]
     [SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WEIGHTS]);
-/* Evaluates `count` suns from arrays; returns the largest status. No faster
-   than single calls. */
+/* Evaluates `count` suns from arrays; returns the largest status. Unpacks
+   the table once, SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_UNPACKED floats on the stack. */
 SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_API int skylight_sh_4_bands_0_005pct_packed_weights_batch(int
     count, const float *sun_zenith, const float *sun_azimuth, const float *turbidity,
     float
     (*weights)[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CHANNELS]
     [SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WEIGHTS]);
+/* The same with the suns of each weight side by side:
+   [SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CHANNELS][SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WEIGHTS]
+       [count]. */
+SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_API int skylight_sh_4_bands_0_005pct_packed_weights_columns(int
+    count, const float *sun_zenith, const float *sun_azimuth, const float *turbidity,
+    float *weights);
 /* Evaluates all bands and their derivatives after each axis (sun_zenith,
    turbidity), per unit of the axis; beyond a range, those at its edge. */
 SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_API int
@@ -129,6 +136,40 @@ SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_API int
     float
     gradient[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_AXES][SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CHANNELS]
     [SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WEIGHTS]);
+/* Unpacks the table into memory of the caller's, SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_UNPACKED
+   floats, for the calls below. */
+SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_API void skylight_sh_4_bands_0_005pct_packed_unpack(float
+    memory[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_UNPACKED]);
+/* Evaluates all bands of an unpacked table: far faster than of the packed
+   one. */
+SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_API int
+    skylight_sh_4_bands_0_005pct_packed_unpacked_weights(const float
+    memory[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_UNPACKED], float sun_zenith, float sun_azimuth,
+    float turbidity, float
+    weights[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CHANNELS]
+    [SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WEIGHTS]);
+/* The same for the first `bands` bands. */
+SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_API int
+    skylight_sh_4_bands_0_005pct_packed_unpacked_weights_bands(const float
+    memory[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_UNPACKED], float sun_zenith, float sun_azimuth,
+    float turbidity, int bands, float
+    weights[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CHANNELS]
+    [SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WEIGHTS]);
+/* The same for `count` suns from arrays; returns the largest status. */
+SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_API int
+    skylight_sh_4_bands_0_005pct_packed_unpacked_weights_batch(const float
+    memory[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_UNPACKED], int count, const float *sun_zenith,
+    const float *sun_azimuth, const float *turbidity,
+    float
+    (*weights)[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CHANNELS]
+    [SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WEIGHTS]);
+/* The same as
+ * [SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CHANNELS][SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WEIGHTS]
+ * [count]. */
+SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_API int
+    skylight_sh_4_bands_0_005pct_packed_unpacked_weights_columns(const float
+    memory[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_UNPACKED], int count, const float *sun_zenith,
+    const float *sun_azimuth, const float *turbidity, float *weights);
 /* Unit vector of the dominant light. Returns 0, or 1 (and straight up) where there is none. */
 #define skylight_sh_4_bands_0_005pct_packed_dominant(weights, direction) \
     skylight_sh_4_bands_0_005pct_packed_dominant_of(&(weights)[0][0], direction)
@@ -147,7 +188,7 @@ SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_API void skylight_sh_4_bands_0_005pct_packed
     weights[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CHANNELS]
     [SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WEIGHTS]);
 
-#elif SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_H != 0x33854719
+#elif SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_H != 0x8cc739fe
 #error "Another table has the prefix skylight_sh_4_bands_0_005pct_packed_4_bands_0_005pct_packed \
 already: export one of them under a prefix of its own."
 #endif /* SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_H */
@@ -161,11 +202,13 @@ typedef float skylight_sh_4_bands_0_005pct_packed_real;
 
 /* Functions of the first axis, in fours; products of the other axes'
    functions. */
-#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_FIRST 12
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_FIRST 16
 #define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_OTHERS 8
-#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_SIZES { 12, 8 }
-#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_MOST 12
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_SIZES { 14, 8 }
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_MOST 16
 #define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_AZIMUTH 0.0f
+/* The axis of the sun's zenith angle. */
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_SUN 0
 /* The channels' luminance. */
 #define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_LUMINANCE { 0.212672845f, 0.715152144f, 0.0721749961f }
 /* What an even ground reflects of the weight l = 1, m = 0, and its own
@@ -182,153 +225,285 @@ static const skylight_sh_4_bands_0_005pct_packed_real
     skylight_sh_4_bands_0_005pct_packed_range[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_AXES][2] = { {
     0.0f, 1.57079637f }, { 2.5f, 6.0f } };
 
+/* Classes; a row's numbers, one a sum, and those of the first 1, 2, ..
+   bands; room for a class's sums. */
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASSES 3
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_OTHER_CLASSES(CLASS) CLASS(1) CLASS(2)
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_FACTORS 9
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WIDTH 10
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WIDTHS { 1, 3, 6, 10 }
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_ROOM 16
+/* All rows; of each class the first row, how many, and the place of its
+   first product. */
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_TERMS 140
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_STARTS { 0, 55, 95 }
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_COUNTS { 55, 40, 45 }
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_PLACES { 0, 56, 96 }
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_PRODUCTS_ROOM 148
+/* Of each class and product of the other axes' functions: how many
+   functions of the first axis it has. */
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_LENGTHS { { 14, 9, 9, 8, 7, 5, 2, 1 }, { 9, 8, 8, 6, \
+    4, 3, 2, 0 }, { 12, 9, 8, 7, 5, 3, 1, 0 } }
+/* The same: of each that has any, class, place of the first product, how
+   many, the other axes' product. */
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_PRODUCTS(PRODUCT) \
+    PRODUCT(0, 0, 14, 0) \
+    PRODUCT(0, 14, 9, 1) \
+    PRODUCT(0, 23, 9, 2) \
+    PRODUCT(0, 32, 8, 3) \
+    PRODUCT(0, 40, 7, 4) \
+    PRODUCT(0, 47, 5, 5) \
+    PRODUCT(0, 52, 2, 6) \
+    PRODUCT(0, 54, 1, 7) \
+    PRODUCT(1, 56, 9, 0) \
+    PRODUCT(1, 65, 8, 1) \
+    PRODUCT(1, 73, 8, 2) \
+    PRODUCT(1, 81, 6, 3) \
+    PRODUCT(1, 87, 4, 4) \
+    PRODUCT(1, 91, 3, 5) \
+    PRODUCT(1, 94, 2, 6) \
+    PRODUCT(2, 96, 12, 0) \
+    PRODUCT(2, 108, 9, 1) \
+    PRODUCT(2, 117, 8, 2) \
+    PRODUCT(2, 125, 7, 3) \
+    PRODUCT(2, 132, 5, 4) \
+    PRODUCT(2, 137, 3, 5) \
+    PRODUCT(2, 140, 1, 6)
+/* Where sums go: of each degree, the first column, or -1 where it carries
+   nothing. */
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_COLUMNS { 0, 1, 3, 6 }
+/* The same for vectors of four: places, two vectors of sums and the numbers
+   of both, order. */
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_FOURS 3
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_STORES(BAND, NOTHING, MINUS, PLUS) \
+    BAND(0, PLUS(0, 0, 0, 0, 1, 2, 3, 0)) \
+    BAND(1, MINUS(1, 0, 0, 2, 1, 0, 0, 1) PLUS(2, 0, 1, 1, 2, 3, 4, 0)) \
+    BAND(2, MINUS(4, 0, 1, 5, 4, 3, 2, 2) PLUS(6, 0, 1, 3, 4, 5, 6, 0)) \
+    BAND(3, MINUS(9, 1, 2, 5, 4, 3, 2, 3) PLUS(12, 1, 2, 2, 3, 4, 5, 0))
+
 /* Runs of numbers, one a product of the other axes' functions, and their
    profiles; what one step is worth. */
 #define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_RUNS 8
-#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_RUN_PROFILE { 10, 8, 4, -2, -8, -14, -18, -20 }
-#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CHANNEL_PROFILE { -9, -9, -6 }
-#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_STEP 4.17232513e-06f
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_RUN_PROFILE { 11, 9, 5, 0, -6, -12, -16, -19 }
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASS_PROFILE { -8, -14, -12 }
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_STEP 1.8030405e-06f
 
 /* Whole numbers as Rice codes. */
-static const unsigned char skylight_sh_4_bands_0_005pct_packed_stream[2083] = {
-    236, 255, 174, 53, 133, 78, 145, 0, 254, 255, 127, 255, 255, 17, 2, 204, 194, 205, 29, 105, 185,
-    71, 80, 138, 63, 224, 156, 222, 156, 255, 255, 247, 63, 225, 15, 145, 84, 249, 232, 110, 63, 20,
-    150, 171, 105, 227, 65, 255, 255, 159, 216, 195, 245, 245, 96, 75, 33, 176, 150, 85, 103, 232,
-    255, 127, 79, 172, 9, 208, 49, 49, 43, 48, 159, 239, 255, 223, 79, 149, 108, 27, 6, 71, 191,
-    255, 227, 233, 229, 247, 231, 216, 157, 255, 255, 223, 255, 255, 81, 74, 85, 40, 90, 124, 66,
-    38, 195, 27, 128, 46, 133, 7, 65, 254, 255, 223, 127, 212, 182, 59, 231, 104, 137, 134, 20, 162,
-    196, 135, 18, 0, 145, 255, 127, 55, 216, 220, 65, 28, 74, 120, 45, 234, 5, 232, 255, 191, 249,
-    9, 2, 66, 48, 220, 194, 225, 255, 30, 169, 51, 106, 108, 254, 247, 159, 110, 195, 227, 239, 71,
-    103, 243, 255, 255, 239, 255, 249, 179, 120, 183, 69, 183, 247, 102, 176, 193, 228, 221, 209,
-    152, 69, 55, 248, 142, 250, 255, 255, 119, 98, 147, 59, 56, 140, 196, 55, 17, 181, 119, 197,
-    145, 82, 74, 127, 195, 68, 254, 255, 223, 119, 130, 228, 232, 14, 62, 176, 53, 21, 63, 56, 180,
-    173, 116, 254, 255, 159, 123, 176, 125, 139, 221, 252, 240, 179, 110, 151, 159, 254, 255, 17,
-    224, 210, 229, 77, 83, 191, 237, 239, 255, 133, 189, 246, 151, 211, 223, 255, 0, 116, 231, 31,
-    64, 236, 255, 174, 49, 149, 77, 153, 17, 250, 255, 232, 74, 180, 19, 139, 60, 176, 248, 10, 52,
-    40, 60, 130, 80, 209, 255, 8, 61, 53, 2, 10, 55, 10, 137, 25, 181, 156, 110, 29, 195, 38, 173,
-    17, 185, 21, 230, 46, 59, 84, 23, 67, 12, 59, 211, 47, 67, 123, 137, 101, 178, 252, 124, 247,
-    193, 147, 237, 152, 180, 121, 255, 163, 120, 159, 252, 25, 117, 250, 255, 231, 208, 123, 111,
-    233, 98, 118, 51, 26, 6, 149, 153, 74, 25, 48, 214, 255, 193, 88, 46, 194, 15, 242, 152, 11,
-    246, 47, 156, 92, 80, 208, 174, 70, 193, 58, 244, 202, 31, 206, 34, 33, 133, 96, 145, 141, 70,
-    24, 169, 34, 170, 39, 51, 39, 164, 230, 31, 111, 240, 212, 143, 50, 253, 159, 11, 225, 47, 190,
-    83, 71, 120, 144, 157, 225, 2, 21, 37, 242, 56, 128, 84, 233, 62, 165, 186, 27, 184, 202, 215,
-    50, 163, 104, 9, 139, 39, 217, 175, 83, 28, 238, 203, 2, 167, 209, 36, 187, 201, 82, 73, 31,
-    100, 15, 247, 195, 72, 47, 142, 185, 109, 114, 183, 159, 143, 120, 163, 254, 4, 32, 187, 194,
-    239, 255, 217, 191, 212, 255, 94, 94, 43, 191, 255, 241, 159, 97, 209, 125, 127, 239, 71, 95,
-    252, 20, 192, 95, 143, 104, 245, 65, 125, 132, 93, 58, 120, 208, 144, 217, 9, 148, 71, 199, 186,
-    39, 196, 196, 197, 226, 176, 183, 173, 13, 134, 8, 11, 252, 15, 58, 54, 5, 84, 72, 149, 195,
-    113, 27, 30, 35, 197, 196, 93, 37, 241, 144, 235, 77, 148, 187, 168, 202, 83, 29, 31, 149, 54,
-    50, 159, 83, 207, 57, 43, 188, 100, 26, 91, 132, 95, 73, 5, 166, 11, 72, 27, 89, 129, 181, 120,
-    159, 195, 100, 16, 153, 219, 39, 73, 201, 168, 72, 97, 229, 4, 209, 16, 40, 71, 1, 102, 196,
-    113, 149, 243, 28, 181, 115, 229, 209, 30, 25, 142, 35, 75, 92, 1, 166, 185, 140, 244, 9, 222,
-    93, 215, 2, 198, 190, 29, 116, 96, 0, 108, 156, 30, 5, 163, 3, 174, 103, 117, 64, 90, 40, 53,
-    208, 150, 220, 109, 146, 38, 165, 215, 142, 20, 237, 232, 132, 128, 186, 181, 147, 126, 192,
-    210, 219, 46, 6, 52, 129, 41, 135, 245, 47, 134, 195, 150, 175, 51, 34, 52, 136, 121, 19, 225,
-    245, 251, 3, 4, 219, 18, 129, 216, 255, 125, 99, 42, 157, 50, 67, 216, 221, 233, 23, 197, 28,
-    215, 98, 96, 123, 179, 172, 31, 111, 93, 41, 181, 13, 183, 183, 192, 123, 202, 70, 88, 180, 45,
-    111, 5, 229, 49, 85, 147, 121, 112, 98, 41, 174, 159, 195, 179, 31, 155, 191, 102, 241, 170, 66,
-    119, 164, 232, 94, 177, 15, 6, 201, 144, 188, 12, 104, 25, 87, 192, 0, 227, 107, 139, 137, 210,
-    57, 119, 110, 3, 207, 49, 20, 84, 89, 247, 89, 143, 151, 247, 77, 69, 64, 122, 151, 239, 144,
-    211, 86, 226, 226, 1, 101, 16, 237, 109, 13, 200, 73, 20, 79, 37, 247, 108, 24, 9, 233, 42, 72,
-    23, 246, 161, 134, 19, 170, 2, 102, 218, 96, 194, 224, 182, 246, 57, 238, 206, 48, 98, 245, 89,
-    62, 20, 212, 209, 50, 135, 200, 163, 131, 222, 201, 157, 249, 131, 201, 65, 213, 157, 44, 80,
-    180, 185, 132, 180, 214, 60, 155, 138, 39, 188, 232, 25, 221, 201, 100, 31, 218, 185, 115, 239,
-    157, 0, 48, 162, 105, 150, 203, 197, 51, 55, 120, 160, 139, 109, 124, 236, 107, 188, 94, 0, 112,
-    229, 252, 187, 36, 254, 62, 158, 179, 65, 219, 125, 17, 183, 24, 174, 180, 175, 8, 208, 236,
-    177, 211, 54, 231, 248, 124, 199, 64, 148, 102, 68, 232, 193, 58, 82, 70, 42, 141, 134, 58, 195,
-    197, 170, 141, 42, 232, 138, 115, 124, 197, 82, 32, 202, 210, 14, 48, 9, 220, 111, 148, 192, 61,
-    94, 68, 119, 50, 108, 203, 212, 211, 45, 141, 42, 240, 203, 140, 141, 89, 138, 113, 54, 35, 231,
-    218, 140, 185, 255, 120, 97, 183, 157, 14, 141, 120, 201, 13, 74, 74, 130, 168, 163, 196, 56,
-    204, 223, 44, 188, 94, 220, 120, 86, 128, 192, 234, 28, 52, 37, 24, 83, 251, 241, 113, 66, 128,
-    64, 48, 70, 62, 48, 140, 130, 22, 251, 26, 119, 79, 59, 32, 4, 194, 183, 61, 83, 200, 192, 72,
-    88, 50, 242, 210, 64, 0, 116, 122, 83, 110, 101, 252, 38, 63, 177, 84, 173, 226, 195, 218, 99,
-    136, 44, 243, 109, 29, 74, 41, 200, 82, 116, 251, 197, 243, 146, 23, 0, 99, 70, 237, 83, 60,
-    238, 77, 250, 19, 7, 24, 170, 29, 241, 240, 253, 111, 132, 96, 61, 244, 4, 160, 127, 39, 74,
-    124, 168, 182, 205, 32, 151, 216, 66, 250, 32, 32, 31, 157, 137, 57, 165, 11, 75, 46, 209, 189,
-    85, 206, 24, 12, 34, 42, 191, 59, 202, 57, 130, 66, 28, 109, 2, 26, 235, 24, 156, 244, 81, 163,
-    30, 27, 5, 241, 43, 140, 115, 138, 140, 153, 82, 136, 83, 128, 48, 146, 141, 118, 117, 144, 91,
-    149, 138, 235, 164, 35, 121, 60, 193, 194, 233, 48, 220, 16, 141, 25, 185, 49, 1, 20, 116, 123,
-    164, 31, 162, 66, 189, 196, 148, 167, 246, 84, 221, 188, 38, 188, 48, 24, 2, 19, 12, 153, 82,
-    15, 50, 145, 86, 135, 192, 129, 88, 139, 145, 5, 197, 211, 244, 130, 245, 71, 39, 236, 24, 183,
-    195, 112, 220, 85, 53, 84, 69, 146, 70, 226, 89, 133, 165, 135, 151, 12, 1, 180, 112, 100, 68,
-    111, 214, 145, 146, 207, 35, 195, 166, 19, 31, 129, 39, 35, 13, 197, 42, 199, 44, 196, 34, 47,
-    211, 1, 77, 85, 239, 103, 115, 225, 67, 196, 129, 81, 219, 71, 0, 198, 254, 176, 223, 119, 190,
-    85, 58, 134, 136, 184, 223, 184, 205, 127, 55, 215, 79, 81, 121, 134, 231, 173, 56, 11, 83, 222,
-    40, 69, 110, 81, 154, 239, 90, 255, 188, 194, 97, 220, 251, 61, 9, 39, 200, 89, 128, 137, 109,
-    10, 234, 228, 22, 5, 129, 169, 34, 69, 108, 79, 23, 162, 164, 125, 48, 135, 181, 140, 125, 55,
-    115, 167, 102, 235, 123, 177, 30, 231, 214, 221, 244, 11, 112, 248, 13, 190, 127, 88, 207, 220,
-    254, 119, 152, 105, 54, 38, 43, 229, 72, 228, 44, 247, 80, 157, 255, 98, 71, 119, 184, 49, 6,
-    239, 154, 136, 46, 245, 126, 78, 179, 191, 23, 238, 92, 219, 105, 52, 24, 55, 234, 36, 47, 65,
-    108, 80, 181, 156, 89, 246, 208, 86, 201, 158, 221, 169, 58, 159, 180, 147, 167, 13, 44, 127,
-    232, 192, 188, 201, 87, 127, 179, 177, 116, 162, 187, 88, 182, 129, 165, 44, 72, 167, 114, 41,
-    42, 99, 133, 97, 211, 244, 119, 48, 20, 212, 151, 163, 152, 209, 184, 187, 146, 216, 169, 40,
-    85, 175, 65, 241, 85, 215, 152, 211, 2, 254, 49, 234, 221, 157, 252, 248, 74, 21, 115, 56, 197,
-    241, 245, 112, 143, 130, 198, 115, 255, 130, 152, 39, 153, 236, 251, 103, 127, 253, 254, 127,
-    116, 22, 191, 95, 171, 178, 214, 85, 196, 218, 5, 182, 168, 177, 125, 193, 253, 39, 96, 254,
-    114, 47, 132, 112, 174, 177, 177, 57, 103, 36, 6, 217, 139, 59, 47, 236, 250, 207, 151, 251, 86,
-    10, 213, 8, 72, 51, 81, 236, 216, 3, 162, 73, 8, 106, 17, 175, 57, 54, 42, 121, 111, 144, 240,
-    181, 149, 255, 81, 61, 137, 123, 195, 59, 35, 13, 101, 188, 22, 206, 77, 251, 115, 107, 242, 33,
-    247, 162, 85, 200, 15, 178, 201, 13, 205, 155, 12, 118, 70, 254, 55, 3, 22, 163, 112, 246, 174,
-    60, 112, 57, 154, 139, 132, 4, 110, 238, 67, 137, 75, 236, 0, 162, 33, 198, 176, 125, 33, 1,
-    183, 181, 248, 124, 206, 254, 218, 202, 54, 240, 36, 210, 180, 10, 143, 98, 182, 60, 194, 138,
-    146, 240, 255, 178, 128, 69, 198, 230, 237, 84, 26, 183, 226, 162, 197, 118, 39, 204, 215, 50,
-    14, 76, 132, 168, 219, 210, 211, 101, 182, 144, 155, 130, 165, 143, 203, 124, 239, 243, 241, 65,
-    130, 88, 176, 113, 12, 175, 255, 5, 1, 142, 211, 159, 27, 33, 252, 3, 226, 125, 103, 218, 37,
-    130, 167, 65, 162, 167, 53, 179, 155, 21, 216, 49, 206, 252, 70, 127, 247, 116, 214, 116, 227,
-    138, 80, 89, 48, 173, 81, 55, 131, 58, 44, 68, 102, 39, 197, 195, 134, 35, 138, 5, 116, 114, 69,
-    152, 3, 3, 104, 184, 196, 34, 224, 52, 98, 167, 185, 246, 191, 92, 170, 187, 250, 188, 173, 52,
-    201, 159, 86, 15, 163, 57, 36, 87, 44, 30, 241, 230, 137, 164, 213, 141, 13, 117, 121, 197, 155,
-    198, 115, 54, 38, 255, 122, 146, 138, 68, 38, 251, 0, 17, 138, 121, 79, 56, 108, 63, 57, 55, 70,
-    145, 177, 37, 134, 21, 145, 237, 72, 79, 47, 183, 101, 79, 57, 107, 210, 208, 248, 57, 225, 252,
-    148, 241, 6, 16, 167, 1, 27, 228, 196, 44, 201, 70, 65, 254, 193, 52, 118, 50, 143, 169, 167,
-    54, 1, 68, 140, 45, 74, 126, 96, 109, 189, 41, 96, 130, 85, 138, 45, 1, 245, 160, 250, 203, 99,
-    40, 0, 72, 221, 140, 183, 119, 0, 48, 241, 178, 33, 127, 236, 26, 95, 250, 11, 55, 66, 55, 58,
-    241, 149, 3, 7, 115, 98, 145, 77, 93, 42, 117, 52, 194, 128, 157, 59, 186, 75, 145, 48, 177, 69,
-    37, 81, 26, 246, 92, 114, 101, 96, 137, 198, 41, 162, 1, 180, 208, 178, 83, 106, 6, 30, 79, 132,
-    80, 4, 89, 168, 81, 35, 219, 86, 43, 221, 178, 224, 68, 41, 70, 58, 74, 144, 136, 145, 96, 104,
-    25, 52, 92, 97, 144, 94, 80, 210, 164, 6, 130, 164, 232, 185, 108, 66, 15, 43, 69, 253, 243, 66,
-    198, 5, 102, 160, 216, 57, 201, 129, 99, 229, 86, 130, 132, 8, 99, 206, 80, 89, 162, 242, 84, 0,
-    70, 59, 159, 72, 193, 215, 230, 233, 34, 23, 138, 98, 152, 66, 81, 5, 61, 68, 63, 131, 153, 122,
-    96, 186, 212, 208, 116, 34, 115, 113, 83, 176, 50, 236, 185, 223, 54, 226, 64, 221, 130, 42,
-    112, 98, 150, 111, 140, 68, 102, 215, 99, 193, 196, 1, 64, 176, 1, 128, 8
+static const unsigned char skylight_sh_4_bands_0_005pct_packed_stream[1464] = {
+    235, 247, 108, 165, 91, 202, 8, 241, 255, 255, 251, 255, 255, 144, 141, 95, 173, 234, 171, 45,
+    76, 110, 18, 133, 157, 1, 200, 201, 255, 127, 255, 147, 33, 252, 234, 197, 65, 132, 40, 76, 79,
+    5, 185, 244, 255, 239, 45, 26, 16, 101, 18, 173, 233, 6, 72, 192, 255, 255, 158, 47, 130, 227,
+    54, 156, 211, 19, 254, 191, 71, 178, 155, 51, 138, 251, 253, 231, 150, 124, 79, 189, 252, 255,
+    135, 6, 18, 50, 205, 143, 13, 69, 89, 224, 255, 63, 39, 26, 174, 181, 92, 159, 198, 201, 148,
+    255, 207, 54, 217, 95, 186, 99, 50, 255, 97, 147, 232, 37, 63, 223, 120, 107, 249, 255, 223,
+    127, 172, 175, 151, 186, 156, 6, 156, 79, 160, 118, 181, 125, 253, 255, 111, 162, 241, 174, 204,
+    184, 216, 154, 149, 197, 40, 205, 255, 239, 69, 78, 22, 169, 84, 221, 212, 41, 254, 223, 184,
+    50, 91, 16, 96, 127, 241, 130, 238, 188, 96, 255, 103, 43, 29, 83, 198, 0, 242, 253, 255, 15,
+    27, 219, 43, 46, 20, 57, 24, 0, 131, 83, 143, 142, 195, 255, 211, 164, 184, 173, 236, 83, 144,
+    124, 210, 9, 75, 1, 212, 75, 53, 48, 249, 210, 184, 40, 38, 57, 86, 210, 69, 238, 91, 6, 201,
+    145, 61, 117, 165, 221, 24, 215, 63, 84, 242, 172, 50, 67, 84, 29, 73, 234, 97, 194, 18, 96,
+    237, 60, 72, 251, 25, 99, 1, 21, 97, 157, 216, 16, 88, 176, 3, 36, 4, 162, 152, 108, 231, 150,
+    165, 255, 115, 239, 173, 219, 114, 144, 104, 171, 242, 212, 8, 185, 15, 152, 169, 150, 62, 241,
+    108, 130, 112, 140, 247, 45, 15, 87, 146, 217, 50, 200, 130, 193, 64, 17, 79, 154, 236, 163, 61,
+    168, 241, 239, 127, 44, 110, 214, 33, 229, 165, 169, 101, 107, 86, 12, 54, 105, 6, 199, 160,
+    103, 76, 218, 212, 120, 24, 97, 164, 2, 178, 100, 153, 184, 77, 26, 217, 156, 179, 64, 173, 183,
+    181, 210, 180, 28, 155, 38, 174, 179, 192, 224, 137, 59, 244, 110, 132, 131, 188, 251, 13, 145,
+    145, 16, 245, 78, 80, 49, 139, 10, 147, 31, 246, 53, 64, 179, 99, 33, 178, 246, 86, 88, 114,
+    193, 217, 241, 88, 68, 117, 225, 221, 185, 230, 79, 99, 108, 201, 207, 26, 172, 58, 86, 30, 95,
+    84, 109, 229, 51, 216, 39, 22, 250, 59, 54, 23, 174, 135, 183, 148, 158, 77, 124, 69, 190, 112,
+    35, 31, 206, 32, 19, 222, 43, 240, 38, 241, 231, 88, 14, 29, 108, 76, 113, 123, 193, 58, 227,
+    25, 84, 184, 255, 183, 149, 144, 41, 99, 0, 1, 34, 249, 243, 191, 218, 107, 63, 173, 37, 96, 91,
+    124, 125, 42, 98, 212, 66, 159, 129, 232, 69, 6, 156, 101, 249, 149, 164, 12, 220, 131, 64, 42,
+    199, 224, 202, 29, 45, 76, 103, 70, 150, 234, 45, 128, 213, 91, 54, 142, 223, 98, 68, 207, 187,
+    78, 173, 188, 35, 53, 43, 203, 182, 89, 117, 27, 75, 251, 204, 132, 69, 102, 193, 104, 91, 107,
+    180, 79, 135, 92, 88, 219, 210, 169, 254, 211, 195, 93, 245, 181, 80, 192, 56, 235, 17, 213,
+    195, 212, 143, 126, 22, 144, 102, 11, 236, 255, 111, 27, 173, 89, 231, 146, 225, 71, 118, 84,
+    94, 71, 25, 59, 244, 40, 1, 93, 173, 149, 160, 247, 98, 87, 92, 99, 81, 119, 47, 108, 194, 132,
+    90, 249, 110, 30, 203, 62, 198, 253, 7, 10, 253, 43, 32, 69, 84, 59, 206, 75, 31, 11, 188, 76,
+    106, 159, 15, 238, 157, 92, 141, 132, 66, 180, 110, 74, 5, 64, 220, 38, 244, 129, 195, 118, 228,
+    94, 152, 101, 100, 48, 44, 0, 111, 30, 209, 24, 179, 229, 3, 70, 59, 86, 95, 148, 226, 52, 66,
+    166, 103, 246, 173, 97, 69, 131, 220, 17, 140, 27, 228, 94, 147, 129, 13, 105, 244, 16, 46, 247,
+    213, 87, 139, 194, 114, 220, 6, 186, 38, 96, 96, 126, 153, 123, 220, 111, 17, 80, 188, 135, 230,
+    176, 128, 44, 215, 38, 13, 192, 40, 73, 197, 34, 29, 207, 45, 126, 133, 144, 8, 167, 100, 168,
+    151, 102, 221, 70, 113, 185, 124, 73, 172, 153, 36, 23, 92, 130, 154, 138, 248, 223, 207, 105,
+    80, 181, 61, 202, 21, 183, 233, 208, 74, 75, 202, 56, 152, 128, 176, 24, 172, 250, 217, 2, 157,
+    37, 114, 82, 189, 246, 184, 91, 29, 6, 107, 198, 200, 173, 90, 77, 148, 38, 100, 132, 146, 5,
+    51, 159, 12, 198, 93, 59, 242, 32, 227, 232, 81, 17, 202, 213, 44, 178, 94, 236, 1, 2, 148, 209,
+    87, 3, 56, 59, 48, 98, 49, 184, 246, 70, 219, 178, 227, 163, 225, 197, 194, 74, 224, 154, 14,
+    166, 163, 90, 148, 52, 107, 59, 221, 204, 73, 220, 100, 61, 244, 118, 50, 199, 87, 107, 101,
+    207, 53, 92, 6, 167, 131, 65, 87, 243, 94, 214, 112, 56, 40, 50, 69, 242, 114, 221, 236, 32, 93,
+    168, 172, 18, 204, 160, 122, 121, 30, 160, 100, 19, 238, 255, 125, 39, 100, 202, 24, 65, 4, 249,
+    239, 175, 138, 232, 69, 146, 249, 103, 102, 254, 21, 14, 201, 37, 20, 24, 198, 38, 254, 174, 48,
+    229, 39, 116, 126, 153, 56, 13, 99, 178, 104, 214, 56, 150, 68, 161, 219, 239, 179, 34, 168,
+    242, 218, 187, 36, 112, 23, 236, 144, 183, 155, 145, 42, 15, 67, 47, 246, 185, 5, 80, 19, 4,
+    207, 91, 31, 197, 214, 11, 117, 140, 213, 108, 151, 102, 237, 193, 173, 114, 22, 45, 95, 87, 53,
+    254, 233, 47, 218, 146, 121, 109, 59, 62, 99, 137, 60, 164, 115, 234, 216, 47, 201, 171, 185,
+    221, 146, 118, 171, 205, 192, 198, 177, 172, 123, 204, 73, 13, 10, 136, 84, 242, 84, 59, 87, 38,
+    164, 242, 94, 200, 67, 218, 83, 70, 122, 101, 172, 9, 97, 214, 60, 141, 141, 15, 125, 242, 27,
+    67, 216, 95, 84, 249, 63, 112, 34, 109, 218, 164, 234, 91, 214, 237, 21, 172, 19, 55, 188, 8,
+    237, 231, 135, 223, 243, 8, 62, 150, 104, 252, 53, 249, 79, 75, 191, 189, 144, 199, 252, 66,
+    250, 162, 141, 42, 168, 175, 211, 97, 212, 85, 157, 145, 164, 220, 135, 54, 47, 195, 121, 72,
+    70, 233, 168, 160, 140, 182, 164, 200, 43, 131, 73, 135, 102, 174, 49, 207, 145, 180, 163, 151,
+    110, 87, 92, 179, 93, 12, 19, 108, 103, 15, 239, 178, 38, 73, 151, 220, 30, 141, 235, 97, 100,
+    108, 49, 59, 180, 242, 118, 108, 109, 254, 131, 233, 92, 42, 163, 138, 30, 152, 118, 217, 104,
+    67, 219, 237, 38, 126, 221, 0, 106, 2, 226, 172, 123, 42, 8, 200, 3, 87, 108, 192, 38, 154, 184,
+    132, 239, 167, 2, 239, 186, 145, 114, 127, 133, 29, 96, 23, 15, 37, 151, 220, 132, 254, 214,
+    195, 150, 132, 204, 120, 4, 172, 216, 0, 161, 155, 4, 242, 149, 109, 74, 133, 137, 202, 73, 184,
+    105, 83, 192, 216, 16, 170, 49, 190, 114, 103, 72, 51, 226, 253, 153, 10, 83, 166, 204, 64, 171,
+    32, 231, 242, 141, 66, 12, 72, 13, 14, 203, 248, 170, 162, 17, 97, 140, 55, 23, 181, 10, 177,
+    112, 113, 92, 211, 235, 11, 19, 85, 195, 157, 206, 130, 214, 128, 226, 90, 66, 80, 126, 58, 99,
+    175, 176, 76, 36, 65, 75, 32, 208, 77, 101, 48, 36, 197, 49, 42, 86, 34, 98, 15, 81, 184, 44,
+    84, 250, 9, 6, 161, 46, 73, 87, 52, 254, 119, 102, 225, 60, 251, 44, 208, 36, 200, 155, 8, 249,
+    121, 178, 69, 220, 209, 24, 113, 112, 175, 208, 108, 37, 96, 76, 46, 139, 69, 102, 69, 53, 244,
+    74, 136, 169, 185, 66, 28, 120, 26, 238, 80, 151, 255, 238, 195, 228, 241, 78, 160, 40, 194, 24,
+    30, 1, 96, 99, 134, 105, 245, 3, 176, 15, 95, 104, 107, 128, 250, 44, 24, 71, 54, 152, 105, 93,
+    180, 131, 243, 185, 212, 226, 65, 230, 106, 101, 233, 243, 21, 128, 50, 1, 151, 80, 10, 126, 93,
+    27, 108, 13, 211, 20, 225, 147, 248, 18, 213, 27, 52, 167, 166, 65, 219, 192, 72, 183, 246, 230,
+    159, 240, 7, 251, 67, 45, 238, 180, 204, 15, 206, 29, 142, 206, 168, 192, 193, 61, 176, 2, 86,
+    8
 };
 
-/* What all weights share: the closed form preetham_zenith. */
-static inline skylight_sh_4_bands_0_005pct_packed_real
-    skylight_sh_4_bands_0_005pct_packed_scale(const skylight_sh_4_bands_0_005pct_packed_real *x)
+/* What all weights share: the closed form preetham_classes. */
+static const unsigned short skylight_sh_4_bands_0_005pct_packed_short[60] = { 40453, 4971, 945, 105,
+    24192, 2155, 420, 15, 1, 1787, 1463, 3554, 4275, 25, 3125, 227, 53251, 1206, 25771, 67, 3703, 5,
+    275, 4214, 15346, 61, 897, 26756, 317, 4153, 667, 516, 26688, 7332, 4, 2125, 641, 8989, 33, 452,
+    166, 2903, 11693, 375, 6377, 21196, 209, 3202, 6052, 394, 25886, 993, 7344, 79, 2102, 441,
+    16537, 109, 529, 41556 };
+
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_EARLY 16
+
+static inline void skylight_sh_4_bands_0_005pct_packed_begin_factors(const
+    skylight_sh_4_bands_0_005pct_packed_real *x, skylight_sh_4_bands_0_005pct_packed_real *early)
 {
-    const float chi = (0.444444448f - x[1] * 0.00833333377f) * (3.14159274f - 2.0f * x[0]);
+    const float chi = (0.888888896f - x[1] * 0.0166666675f) * (1.57079637f - x[0]);
     const float square = chi * chi;
-    const float tan_above = chi * (105.0f - 10.0f * square);
-    const float tan_below = 105.0f - square * (45.0f - square);
-    const float zenith = (4.04530001f * x[1] - 4.97100019f) * tan_above + (2.41919994f -
-        0.215499997f * x[1]) * tan_below;
-    const float a = 0.1787f * x[1] + (-1.46300006f);
-    const float b = (-0.355399996f) * x[1] + 0.42750001f;
-    const float up = 1.0f + b * (0.25f + b * 0.03125f);
+    early[0] = (1.0f * skylight_sh_4_bands_0_005pct_packed_short[2]) - square * ((1.0f *
+        skylight_sh_4_bands_0_005pct_packed_short[6]) - (1.0f *
+        skylight_sh_4_bands_0_005pct_packed_short[7]) * square);
+    early[1] = ((0.100000001f * skylight_sh_4_bands_0_005pct_packed_short[0]) * x[1] - (1.0f *
+        skylight_sh_4_bands_0_005pct_packed_short[1])) * (chi * ((1.0f *
+        skylight_sh_4_bands_0_005pct_packed_short[2]) - square * ((1.0f *
+        skylight_sh_4_bands_0_005pct_packed_short[3]) - square))) + ((0.100000001f *
+        skylight_sh_4_bands_0_005pct_packed_short[4]) - (0.100000001f *
+        skylight_sh_4_bands_0_005pct_packed_short[5]) * x[1]) * early[0];
+    const float part_1 = (-9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[11]) * x[1] +
+        (9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[12]);
+    const float up = (1.0f * skylight_sh_4_bands_0_005pct_packed_short[8]) + part_1 *
+        ((0.00999999978f * skylight_sh_4_bands_0_005pct_packed_short[13]) + part_1 *
+        (9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[14]));
     const float up2 = up * up;
-    const float up4 = up2 * up2;
-    const float c = (-0.0227000006f) * x[1] + 5.32509995f;
-    const float d = 0.1206f * x[1] + (-2.57710004f);
-    const float y = d * x[0];
-    const float halo = 1.0f + y * (0.125f + y * 0.0078125f);
-    const float halo2 = halo * halo;
-    const float halo4 = halo2 * halo2;
-    const float halo8 = halo4 * halo4;
-    const float e = (-0.0670000017f) * x[1] + 0.370299995f;
+    early[2] = (1.0f * skylight_sh_4_bands_0_005pct_packed_short[8]) + ((9.99999975e-05f *
+        skylight_sh_4_bands_0_005pct_packed_short[9]) * x[1] + (-0.00100000005f *
+        skylight_sh_4_bands_0_005pct_packed_short[10])) * (up2 * up2);
+    early[3] = (-9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[15]) * x[1] +
+        (9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[16]);
+    const float y = ((9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[17]) * x[1] +
+        (-9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[18])) * x[0] * (0.00999999978f
+        * skylight_sh_4_bands_0_005pct_packed_short[13]);
+    const float halo = 1.0f + y * (0.99999845f + y * (0.499975085f + y * (0.166515172f + y *
+        (0.0412233174f + y * (0.00765432511f + y * 0.000849007862f)))));
+    early[4] = halo * halo;
     const float z = x[0] * x[0];
-    const float cosine = 1.0f - z * (0.5f - z * (0.0416666679f - z * 0.00138888892f));
-    return 1000.0f * zenith / (tan_below * (1.0f + a * up4) * (1.0f + c * halo8 + e * (cosine *
-        cosine)));
+    const float cosine = (1.0f * skylight_sh_4_bands_0_005pct_packed_short[8]) - z * ((0.100000001f
+        * skylight_sh_4_bands_0_005pct_packed_short[21]) - z * (9.99999975e-06f *
+        skylight_sh_4_bands_0_005pct_packed_short[14]));
+    const float cosine2 = cosine * cosine;
+    early[5] = ((-0.00100000005f * skylight_sh_4_bands_0_005pct_packed_short[19]) * x[1] +
+        (9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[20])) * cosine2;
+    early[6] = (((((9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[22]) * x[1] +
+        (-9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[23])) * x[1] +
+        (9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[24])) * x[0] +
+        (((-9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[25]) * x[1] +
+        (9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[26])) * x[1] +
+        (-9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[27]))) * x[0] +
+        (((9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[28]) * x[1] +
+        (-9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[29])) * x[1] +
+        (9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[30]))) * x[0] +
+        ((9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[31]) * x[1] + (9.99999975e-06f
+        * skylight_sh_4_bands_0_005pct_packed_short[32]));
+    early[7] = (9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[13]) * x[1] +
+        (9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[33]);
+    early[8] = (-9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[34]) * x[1] +
+        (9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[35]);
+    const float y_2 = ((-9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[36]) * x[1] +
+        (-9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[37])) * x[0] * (0.00999999978f
+        * skylight_sh_4_bands_0_005pct_packed_short[13]);
+    const float halo_2 = 1.0f + y_2 * (0.99999845f + y_2 * (0.499975085f + y_2 * (0.166515172f + y_2
+        * (0.0412233174f + y_2 * (0.00765432511f + y_2 * 0.000849007862f)))));
+    early[9] = halo_2 * halo_2;
+    const float z_2 = x[0] * x[0];
+    const float cosine_2 = (1.0f * skylight_sh_4_bands_0_005pct_packed_short[8]) - z_2 *
+        ((0.100000001f * skylight_sh_4_bands_0_005pct_packed_short[21]) - z_2 * (9.99999975e-06f *
+        skylight_sh_4_bands_0_005pct_packed_short[14]));
+    const float cosine2_2 = cosine_2 * cosine_2;
+    early[10] = ((-9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[38]) * x[1] +
+        (9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[39])) * cosine2_2;
+    early[11] = (((((9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[40]) * x[1] +
+        (-9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[41])) * x[1] +
+        (9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[42])) * x[0] +
+        (((-9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[43]) * x[1] +
+        (9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[44])) * x[1] +
+        (-9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[45]))) * x[0] +
+        (((9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[46]) * x[1] +
+        (-9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[47])) * x[1] +
+        (9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[48]))) * x[0] +
+        ((9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[49]) * x[1] + (9.99999975e-06f
+        * skylight_sh_4_bands_0_005pct_packed_short[50]));
+    early[12] = (9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[51]) * x[1] +
+        (9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[52]);
+    early[13] = (-9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[53]) * x[1] +
+        (9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[54]);
+    const float y_3 = ((-9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[55]) * x[1] +
+        (-9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[56])) * x[0] * (0.00999999978f
+        * skylight_sh_4_bands_0_005pct_packed_short[13]);
+    const float halo_3 = 1.0f + y_3 * (0.99999845f + y_3 * (0.499975085f + y_3 * (0.166515172f + y_3
+        * (0.0412233174f + y_3 * (0.00765432511f + y_3 * 0.000849007862f)))));
+    early[14] = halo_3 * halo_3;
+    early[15] = ((-9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[57]) * x[1] +
+        (9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[58])) * cosine2_2;
+    (void)x;
+    (void)early;
 }
 
-/* The functions of sun_zenith (change of variable: reciprocal); 0 where
-   there is none. */
+/* The rest of it. */
+static inline void skylight_sh_4_bands_0_005pct_packed_end_factors(const
+    skylight_sh_4_bands_0_005pct_packed_real *x,
+    const skylight_sh_4_bands_0_005pct_packed_real *early,
+    skylight_sh_4_bands_0_005pct_packed_real *out)
+{
+    const float halo4 = early[4] * early[4];
+    const float shape_y = early[2] * ((1.0f * skylight_sh_4_bands_0_005pct_packed_short[8]) +
+        early[3] * halo4 + early[5]);
+    const float halo4_2 = early[9] * early[9];
+    const float shape_x = early[7] * ((1.0f * skylight_sh_4_bands_0_005pct_packed_short[8]) +
+        early[8] * halo4_2 + early[10]);
+    const float one = early[1] / (early[0] * shape_y * early[6] * shape_x);
+    const float halo4_3 = early[14] * early[14];
+    const float shape_z = early[12] * ((1.0f * skylight_sh_4_bands_0_005pct_packed_short[8]) +
+        early[13] * halo4_3 + early[15]);
+    const float of_x = one * early[11] * shape_z;
+    out[1] = 3.73898554f * of_x;
+    const float of_y = one * early[6] * shape_x;
+    const float of_s = one * shape_z * shape_x;
+    out[2] = (-0.498531401f) * of_s;
+    out[0] = out[1] + (-1.03860712f) * of_y + out[2];
+    out[4] = (-1.01082206f) * of_x;
+    out[5] = (9.99999997e-07f * skylight_sh_4_bands_0_005pct_packed_short[59]) * of_s;
+    out[3] = out[4] + 1.83445477f * of_y + out[5];
+    out[7] = (-1.00158179f) * of_x;
+    out[8] = 1.05722523f * of_s;
+    out[6] = out[7] + (-1.26125109f) * of_y + out[8];
+    (void)x;
+    (void)early;
+}
+
+/* The functions of sun_zenith (change of variable: even); 0 where there is
+   none. */
 static inline void skylight_sh_4_bands_0_005pct_packed_first(const
     skylight_sh_4_bands_0_005pct_packed_real *x, skylight_sh_4_bands_0_005pct_packed_real *out)
 {
     out[0] = 1.0f;
-    out[1] = 4.36619759f * (x[0] - 0.0f) / (5.0f - x[0]) - 1.0f;
+    out[1] = (-13.3479729f) * (x[0] * x[0] - 0.0f) / ((-14.0f) - x[0] * x[0]) - 1.0f;
     out[2] = 2.0f * out[1] * out[1] - 1.0f;
     out[3] = 2.0f * out[1] * out[2] - out[1];
     out[4] = 2.0f * out[2] * out[2] - 1.0f;
@@ -339,6 +514,10 @@ static inline void skylight_sh_4_bands_0_005pct_packed_first(const
     out[9] = 2.0f * out[4] * out[5] - out[1];
     out[10] = 2.0f * out[5] * out[5] - 1.0f;
     out[11] = 2.0f * out[5] * out[6] - out[1];
+    out[12] = 2.0f * out[6] * out[6] - 1.0f;
+    out[13] = 2.0f * out[6] * out[7] - out[1];
+    out[14] = 0;
+    out[15] = 0;
     (void)x;
 }
 
@@ -348,7 +527,7 @@ static inline void skylight_sh_4_bands_0_005pct_packed_others(const
     skylight_sh_4_bands_0_005pct_packed_real *x, skylight_sh_4_bands_0_005pct_packed_real *out)
 {
     out[0] = 1.0f;
-    out[1] = (-4.57142878f) * (x[1] - 2.5f) / ((-2.0f) - x[1]) - 1.0f;
+    out[1] = (-4.85714293f) * (x[1] - 2.5f) / ((-2.5f) - x[1]) - 1.0f;
     out[2] = 2.0f * out[1] * out[1] - 1.0f;
     out[3] = 2.0f * out[1] * out[2] - out[1];
     out[4] = 2.0f * out[2] * out[2] - 1.0f;
@@ -358,20 +537,34 @@ static inline void skylight_sh_4_bands_0_005pct_packed_others(const
     (void)x;
 }
 
-/* cos(m azimuth) and sin(m azimuth) for m < bands, by doubling. */
+/* cos(m azimuth) and sin(m azimuth), m < bands, each times the m-th power
+   of `radius`, by doubling. */
 static inline void
     skylight_sh_4_bands_0_005pct_packed_waves(skylight_sh_4_bands_0_005pct_packed_real azimuth,
+    skylight_sh_4_bands_0_005pct_packed_real radius,
     skylight_sh_4_bands_0_005pct_packed_real *cosines,
     skylight_sh_4_bands_0_005pct_packed_real *sines)
 {
     cosines[0] = 1.0f;
-    cosines[1] = cosf(azimuth);
-    sines[1] = sinf(azimuth);
+    cosines[1] = radius * cosf(azimuth);
+    sines[1] = radius * sinf(azimuth);
     cosines[2] = cosines[1] * cosines[1] - sines[1] * sines[1];
     sines[2] = sines[1] * cosines[1] + cosines[1] * sines[1];
     cosines[3] = cosines[1] * cosines[2] - sines[1] * sines[2];
     sines[0] = 0.0f;
     sines[3] = sines[1] * cosines[2] + cosines[1] * sines[2];
+}
+
+/* The sine of the sun's zenith angle, whose powers the sums of order m
+   lack. */
+static inline skylight_sh_4_bands_0_005pct_packed_real
+    skylight_sh_4_bands_0_005pct_packed_sine(const skylight_sh_4_bands_0_005pct_packed_real *x)
+{
+    const float part_1 = x[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_SUN] *
+        x[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_SUN];
+    return x[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_SUN] + x[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_SUN] *
+        (part_1 * ((-0.166666597f) + part_1 * (0.00833306555f + part_1 * ((-0.000198095426f) +
+        part_1 * 2.60563934e-06f))));
 }
 
 /* The zonal window's factor for the degree `share` * bands (Habel et al.
@@ -393,8 +586,8 @@ static inline void skylight_sh_4_bands_0_005pct_packed_functions(int axis, doubl
 {
     if (axis == 0) {
         out[0] = 1.0;
-        const double part_1 = 5.0 - v;
-        const double part_2 = 4.366197723675814 * (v - 0.0) / part_1;
+        const double part_1 = (-14.0) - v * v;
+        const double part_2 = (-13.347972567941833) * (v * v - 0.0) / part_1;
         out[1] = part_2 - 1.0;
         const double part_3 = 2.0 * out[1];
         out[2] = part_3 * out[1] - 1.0;
@@ -416,8 +609,12 @@ static inline void skylight_sh_4_bands_0_005pct_packed_functions(int axis, doubl
         out[10] = part_11 * out[5] - 1.0;
         const double part_12 = 2.0 * out[5];
         out[11] = part_12 * out[6] - out[1];
+        const double part_13 = 2.0 * out[6];
+        out[12] = part_13 * out[6] - 1.0;
+        const double part_14 = 2.0 * out[6];
+        out[13] = part_14 * out[7] - out[1];
         slopes[0] = 0.0;
-        slopes[1] = 4.366197723675814 / part_1 - part_2 * -1.0 / part_1;
+        slopes[1] = (-13.347972567941833) * (v + v) / part_1 - part_2 * -(v + v) / part_1;
         slopes[2] = 2.0 * slopes[1] * out[1] + part_3 * slopes[1];
         slopes[3] = 2.0 * slopes[1] * out[2] + part_4 * slopes[2] - slopes[1];
         slopes[4] = 2.0 * slopes[2] * out[2] + part_5 * slopes[2];
@@ -428,11 +625,13 @@ static inline void skylight_sh_4_bands_0_005pct_packed_functions(int axis, doubl
         slopes[9] = 2.0 * slopes[4] * out[5] + part_10 * slopes[5] - slopes[1];
         slopes[10] = 2.0 * slopes[5] * out[5] + part_11 * slopes[5];
         slopes[11] = 2.0 * slopes[5] * out[6] + part_12 * slopes[6] - slopes[1];
+        slopes[12] = 2.0 * slopes[6] * out[6] + part_13 * slopes[6];
+        slopes[13] = 2.0 * slopes[6] * out[7] + part_14 * slopes[7] - slopes[1];
     }
     if (axis == 1) {
         out[0] = 1.0;
-        const double part_1 = (-2.0) - v;
-        const double part_2 = (-4.5714285714285712) * (v - 2.5) / part_1;
+        const double part_1 = (-2.5) - v;
+        const double part_2 = (-4.8571428571428568) * (v - 2.5) / part_1;
         out[1] = part_2 - 1.0;
         const double part_3 = 2.0 * out[1];
         out[2] = part_3 * out[1] - 1.0;
@@ -447,7 +646,7 @@ static inline void skylight_sh_4_bands_0_005pct_packed_functions(int axis, doubl
         const double part_8 = 2.0 * out[3];
         out[7] = part_8 * out[4] - out[1];
         slopes[0] = 0.0;
-        slopes[1] = (-4.5714285714285712) / part_1 - part_2 * -1.0 / part_1;
+        slopes[1] = (-4.8571428571428568) / part_1 - part_2 * -1.0 / part_1;
         slopes[2] = 2.0 * slopes[1] * out[1] + part_3 * slopes[1];
         slopes[3] = 2.0 * slopes[1] * out[2] + part_4 * slopes[2] - slopes[1];
         slopes[4] = 2.0 * slopes[2] * out[2] + part_5 * slopes[2];
@@ -458,72 +657,212 @@ static inline void skylight_sh_4_bands_0_005pct_packed_functions(int axis, doubl
     (void)v;
 }
 
-/* What all weights share, then its slopes after the axes. */
-static inline void skylight_sh_4_bands_0_005pct_packed_scale_slopes(const double *x, double *out)
+/* The factors, then their slopes after each axis. */
+static inline void skylight_sh_4_bands_0_005pct_packed_factor_slopes(const double *x, double *out)
 {
-    const double part_1 = 4.0453000000000001 * x[1] - 4.9710000000000001;
-    const double part_2 = 0.44444444444444442 - x[1] * 0.0083333333333333332;
-    const double part_3 = 3.1415926535897931 - 2.0 * x[0];
+    const double part_1 = 4045.3000000000002 * x[1] - 4971.0;
+    const double part_2 = 0.88888888888888884 - x[1] * 0.016666666666666666;
+    const double part_3 = 1.5707963267948966 - x[0];
     const double chi = part_2 * part_3;
     const double square = chi * chi;
-    const double part_4 = 105.0 - 10.0 * square;
-    const double tan_above = chi * part_4;
-    const double part_5 = 2.4192 - 0.2155 * x[1];
-    const double part_6 = 45.0 - square;
-    const double tan_below = 105.0 - square * part_6;
-    const double zenith = part_1 * tan_above + part_5 * tan_below;
-    const double a = 0.1787 * x[1] + (-1.4630000000000001);
-    const double b = (-0.35539999999999999) * x[1] + 0.42749999999999999;
-    const double part_7 = 0.25 + b * 0.03125;
-    const double up = 1.0 + b * part_7;
+    const double part_4 = 105.0 - square;
+    const double part_5 = 945.0 - square * part_4;
+    const double part_6 = chi * part_5;
+    const double part_7 = 2419.1999999999998 - 215.5 * x[1];
+    const double part_8 = 420.0 - 15.0 * square;
+    const double below = 945.0 - square * part_8;
+    const double zenith = part_1 * part_6 + part_7 * below;
+    const double part_9 = 0.1787 * x[1] + (-1.4630000000000001);
+    const double part_10 = (-0.35539999999999999) * x[1] + 0.42749999999999999;
+    const double part_11 = 0.25 + part_10 * 0.03125;
+    const double up = 1.0 + part_10 * part_11;
     const double up2 = up * up;
-    const double up4 = up2 * up2;
-    const double part_8 = 1.0 + a * up4;
-    const double part_9 = tan_below * part_8;
-    const double c = (-0.022700000000000001) * x[1] + 5.3250999999999999;
-    const double d = 0.1206 * x[1] + (-2.5771000000000002);
-    const double y = d * x[0];
-    const double part_10 = 0.125 + y * 0.0078125;
-    const double halo = 1.0 + y * part_10;
+    const double part_12 = up2 * up2;
+    const double part_13 = 1.0 + part_9 * part_12;
+    const double part_14 = (-0.022700000000000001) * x[1] + 5.3250999999999999;
+    const double part_15 = 0.1206 * x[1] + (-2.5771000000000002);
+    const double y = part_15 * x[0] * 0.25;
+    const double part_16 = 0.0076543250999999996 + y * 0.00084900787100000003;
+    const double part_17 = 0.041223317699999998 + y * part_16;
+    const double part_18 = 0.16651516699999999 + y * part_17;
+    const double part_19 = 0.49997509099999998 + y * part_18;
+    const double part_20 = 0.99999845399999998 + y * part_19;
+    const double halo = 0.99999998400000001 + y * part_20;
     const double halo2 = halo * halo;
     const double halo4 = halo2 * halo2;
-    const double halo8 = halo4 * halo4;
-    const double e = (-0.067000000000000004) * x[1] + 0.37030000000000002;
+    const double part_21 = (-0.067000000000000004) * x[1] + 0.37030000000000002;
     const double z = x[0] * x[0];
-    const double part_11 = 0.041666666666666664 - z * 0.0013888888888888889;
-    const double part_12 = 0.5 - z * part_11;
-    const double cosine = 1.0 - z * part_12;
-    const double part_13 = cosine * cosine;
-    const double part_14 = 1.0 + c * halo8 + e * part_13;
-    const double part_15 = part_9 * part_14;
-    out[0] = 1000.0 * zenith / part_15;
-    const double part_16 = part_2 * -2.0;
-    const double part_17 = part_16 * chi + chi * part_16;
-    const double part_18 = -(part_17 * part_6 + square * -part_17);
-    const double part_19 = d * part_10 + y * (d * 0.0078125);
-    const double part_20 = part_19 * halo + halo * part_19;
-    const double part_21 = part_20 * halo2 + halo2 * part_20;
-    const double part_22 = x[0] + x[0];
-    const double part_23 = -(part_22 * part_12 + z * -(part_22 * part_11 + z * -(part_22 *
-        0.0013888888888888889)));
-    out[1] = 1000.0 * (part_1 * (part_16 * part_4 + chi * -(10.0 * part_17)) + part_5 * part_18) /
-        part_15 - out[0] * (part_18 * part_8 * part_14 + part_9 * (c * (part_21 * halo4 + halo4 *
-        part_21) + e * (part_23 * cosine + cosine * part_23))) / part_15;
-    const double part_24 = -0.0083333333333333332 * part_3;
-    const double part_25 = part_24 * chi + chi * part_24;
-    const double part_26 = -(part_25 * part_6 + square * -part_25);
-    const double part_27 = (-0.35539999999999999) * part_7 + b * ((-0.35539999999999999) * 0.03125);
-    const double part_28 = part_27 * up + up * part_27;
-    const double part_29 = 0.1206 * x[0];
-    const double part_30 = part_29 * part_10 + y * (part_29 * 0.0078125);
-    const double part_31 = part_30 * halo + halo * part_30;
-    const double part_32 = part_31 * halo2 + halo2 * part_31;
-    out[2] = 1000.0 * (4.0453000000000001 * tan_above + part_1 * (part_24 * part_4 + chi * -(10.0 *
-        part_25)) + (-0.2155 * tan_below + part_5 * part_26)) / part_15 - out[0] * ((part_26 *
-        part_8 + tan_below * (0.1787 * up4 + a * (part_28 * up2 + up2 * part_28))) * part_14 +
-        part_9 * ((-0.022700000000000001) * halo8 + c * (part_32 * halo4 + halo4 * part_32) +
-        (-0.067000000000000004) * part_13)) / part_15;
+    const double part_22 = 0.5 - z * 0.03125;
+    const double cosine = 1.0 - z * part_22;
+    const double cosine2 = cosine * cosine;
+    const double part_23 = 1.0 + part_14 * halo4 + part_21 * cosine2;
+    const double shape_y = part_13 * part_23;
+    const double part_24 = below * shape_y;
+    const double part_25 = 0.0027499999999999998 * x[1] + (-0.042139999999999997);
+    const double part_26 = part_25 * x[1] + 0.15346000000000001;
+    const double part_27 = (-0.0061000000000000004) * x[1] + 0.089700000000000002;
+    const double part_28 = part_26 * x[0] + (part_27 * x[1] + (-0.26756000000000002));
+    const double part_29 = 0.0031700000000000001 * x[1] + (-0.041529999999999997);
+    const double part_30 = part_28 * x[0] + (part_29 * x[1] + 0.066699999999999995);
+    const double y_zenith = part_30 * x[0] + (0.0051599999999999997 * x[1] + 0.26688000000000001);
+    const double part_31 = part_24 * y_zenith;
+    const double part_32 = 0.0025000000000000001 * x[1] + 0.73319999999999996;
+    const double part_33 = (-0.00040000000000000002) * x[1] + 0.21249999999999999;
+    const double part_34 = (-0.064100000000000004) * x[1] + (-0.89890000000000003);
+    const double y_2 = part_34 * x[0] * 0.25;
+    const double part_35 = 0.0076543250999999996 + y_2 * 0.00084900787100000003;
+    const double part_36 = 0.041223317699999998 + y_2 * part_35;
+    const double part_37 = 0.16651516699999999 + y_2 * part_36;
+    const double part_38 = 0.49997509099999998 + y_2 * part_37;
+    const double part_39 = 0.99999845399999998 + y_2 * part_38;
+    const double halo_2 = 0.99999998400000001 + y_2 * part_39;
+    const double halo2_2 = halo_2 * halo_2;
+    const double halo4_2 = halo2_2 * halo2_2;
+    const double part_40 = (-0.0033) * x[1] + 0.045199999999999997;
+    const double z_2 = x[0] * x[0];
+    const double part_41 = 0.5 - z_2 * 0.03125;
+    const double cosine_2 = 1.0 - z_2 * part_41;
+    const double cosine2_2 = cosine_2 * cosine_2;
+    const double part_42 = 1.0 + part_33 * halo4_2 + part_40 * cosine2_2;
+    const double shape_x = part_32 * part_42;
+    const double part_43 = part_31 * shape_x;
+    const double one = zenith / part_43;
+    const double part_44 = 0.00166 * x[1] + (-0.02903);
+    const double part_45 = part_44 * x[1] + 0.11693000000000001;
+    const double part_46 = (-0.0037499999999999999) * x[1] + 0.063769999999999993;
+    const double part_47 = part_45 * x[0] + (part_46 * x[1] + (-0.21196000000000001));
+    const double part_48 = 0.0020899999999999998 * x[1] + (-0.03202);
+    const double part_49 = part_47 * x[0] + (part_48 * x[1] + 0.060519999999999997);
+    const double x_zenith = part_49 * x[0] + (0.0039399999999999999 * x[1] + 0.25885999999999998);
+    const double part_50 = one * x_zenith;
+    const double part_51 = 0.0099299999999999996 * x[1] + 0.73440000000000005;
+    const double part_52 = (-0.0079000000000000008) * x[1] + 0.2102;
+    const double part_53 = (-0.0441) * x[1] + (-1.6536999999999999);
+    const double y_3 = part_53 * x[0] * 0.25;
+    const double part_54 = 0.0076543250999999996 + y_3 * 0.00084900787100000003;
+    const double part_55 = 0.041223317699999998 + y_3 * part_54;
+    const double part_56 = 0.16651516699999999 + y_3 * part_55;
+    const double part_57 = 0.49997509099999998 + y_3 * part_56;
+    const double part_58 = 0.99999845399999998 + y_3 * part_57;
+    const double halo_3 = 0.99999998400000001 + y_3 * part_58;
+    const double halo2_3 = halo_3 * halo_3;
+    const double halo4_3 = halo2_3 * halo2_3;
+    const double part_59 = (-0.0109) * x[1] + 0.052900000000000003;
+    const double part_60 = 1.0 + part_52 * halo4_3 + part_59 * cosine2_2;
+    const double shape_z = part_51 * part_60;
+    const double of_x = part_50 * shape_z;
+    out[1] = 3.7389855999999999 * of_x;
+    const double part_61 = one * y_zenith;
+    const double of_y = part_61 * shape_x;
+    const double part_62 = one * shape_z;
+    const double of_s = part_62 * shape_x;
+    out[2] = (-0.49853140000000001) * of_s;
+    out[0] = out[1] + (-1.0386070999999999) * of_y + out[2];
+    out[4] = (-1.0108219999999999) * of_x;
+    out[5] = 0.041556000000000003 * of_s;
+    out[3] = out[4] + 1.8344548000000001 * of_y + out[5];
+    out[7] = (-1.0015818000000001) * of_x;
+    out[8] = 1.0572252 * of_s;
+    out[6] = out[7] + (-1.2612511) * of_y + out[8];
+    const double part_63 = part_2 * -1.0;
+    const double part_64 = part_63 * chi + chi * part_63;
+    const double part_65 = -(part_64 * part_8 + square * -(15.0 * part_64));
+    const double part_66 = part_15 * 0.25;
+    const double part_67 = part_66 * part_20 + y * (part_66 * part_19 + y * (part_66 * part_18 + y *
+        (part_66 * part_17 + y * (part_66 * part_16 + y * (part_66 * 0.00084900787100000003)))));
+    const double part_68 = part_67 * halo + halo * part_67;
+    const double part_69 = x[0] + x[0];
+    const double part_70 = -(part_69 * part_22 + z * -(part_69 * 0.03125));
+    const double part_71 = (part_26 * x[0] + part_28) * x[0] + part_30;
+    const double part_72 = part_34 * 0.25;
+    const double part_73 = part_72 * part_39 + y_2 * (part_72 * part_38 + y_2 * (part_72 * part_37 +
+        y_2 * (part_72 * part_36 + y_2 * (part_72 * part_35 + y_2 * (part_72 *
+        0.00084900787100000003)))));
+    const double part_74 = part_73 * halo_2 + halo_2 * part_73;
+    const double part_75 = x[0] + x[0];
+    const double part_76 = -(part_75 * part_41 + z_2 * -(part_75 * 0.03125));
+    const double part_77 = part_76 * cosine_2 + cosine_2 * part_76;
+    const double part_78 = part_32 * (part_33 * (part_74 * halo2_2 + halo2_2 * part_74) + part_40 *
+        part_77);
+    const double part_79 = (part_1 * (part_63 * part_5 + chi * -(part_64 * part_4 + square *
+        -part_64)) + part_7 * part_65) / part_43 - one * (((part_65 * shape_y + below * (part_13 *
+        (part_14 * (part_68 * halo2 + halo2 * part_68) + part_21 * (part_70 * cosine + cosine *
+        part_70)))) * y_zenith + part_24 * part_71) * shape_x + part_31 * part_78) / part_43;
+    const double part_80 = part_53 * 0.25;
+    const double part_81 = part_80 * part_58 + y_3 * (part_80 * part_57 + y_3 * (part_80 * part_56 +
+        y_3 * (part_80 * part_55 + y_3 * (part_80 * part_54 + y_3 * (part_80 *
+        0.00084900787100000003)))));
+    const double part_82 = part_81 * halo_3 + halo_3 * part_81;
+    const double part_83 = part_51 * (part_52 * (part_82 * halo2_3 + halo2_3 * part_82) + part_59 *
+        part_77);
+    const double part_84 = (part_79 * x_zenith + one * ((part_45 * x[0] + part_47) * x[0] +
+        part_49)) * shape_z + part_50 * part_83;
+    out[10] = 3.7389855999999999 * part_84;
+    const double part_85 = (part_79 * y_zenith + one * part_71) * shape_x + part_61 * part_78;
+    const double part_86 = (part_79 * shape_z + one * part_83) * shape_x + part_62 * part_78;
+    out[11] = (-0.49853140000000001) * part_86;
+    out[9] = out[10] + (-1.0386070999999999) * part_85 + out[11];
+    out[13] = (-1.0108219999999999) * part_84;
+    out[14] = 0.041556000000000003 * part_86;
+    out[12] = out[13] + 1.8344548000000001 * part_85 + out[14];
+    out[16] = (-1.0015818000000001) * part_84;
+    out[17] = 1.0572252 * part_86;
+    out[15] = out[16] + (-1.2612511) * part_85 + out[17];
+    const double part_87 = -0.016666666666666666 * part_3;
+    const double part_88 = part_87 * chi + chi * part_87;
+    const double part_89 = -(part_88 * part_8 + square * -(15.0 * part_88));
+    const double part_90 = (-0.35539999999999999) * part_11 + part_10 * ((-0.35539999999999999) *
+        0.03125);
+    const double part_91 = part_90 * up + up * part_90;
+    const double part_92 = 0.1206 * x[0] * 0.25;
+    const double part_93 = part_92 * part_20 + y * (part_92 * part_19 + y * (part_92 * part_18 + y *
+        (part_92 * part_17 + y * (part_92 * part_16 + y * (part_92 * 0.00084900787100000003)))));
+    const double part_94 = part_93 * halo + halo * part_93;
+    const double part_95 = (((0.0027499999999999998 * x[1] + part_25) * x[0] +
+        ((-0.0061000000000000004) * x[1] + part_27)) * x[0] + (0.0031700000000000001 * x[1] +
+        part_29)) * x[0] + 0.0051599999999999997;
+    const double part_96 = (-0.064100000000000004) * x[0] * 0.25;
+    const double part_97 = part_96 * part_39 + y_2 * (part_96 * part_38 + y_2 * (part_96 * part_37 +
+        y_2 * (part_96 * part_36 + y_2 * (part_96 * part_35 + y_2 * (part_96 *
+        0.00084900787100000003)))));
+    const double part_98 = part_97 * halo_2 + halo_2 * part_97;
+    const double part_99 = 0.0025000000000000001 * part_42 + part_32 * ((-0.00040000000000000002) *
+        halo4_2 + part_33 * (part_98 * halo2_2 + halo2_2 * part_98) + (-0.0033) * cosine2_2);
+    const double part_100 = (4045.3000000000002 * part_6 + part_1 * (part_87 * part_5 + chi *
+        -(part_88 * part_4 + square * -part_88)) + (-215.5 * below + part_7 * part_89)) / part_43 -
+        one * (((part_89 * shape_y + below * ((0.1787 * part_12 + part_9 * (part_91 * up2 + up2 *
+        part_91)) * part_23 + part_13 * ((-0.022700000000000001) * halo4 + part_14 * (part_94 *
+        halo2 + halo2 * part_94) + (-0.067000000000000004) * cosine2))) * y_zenith + part_24 *
+        part_95) * shape_x + part_31 * part_99) / part_43;
+    const double part_101 = (-0.0441) * x[0] * 0.25;
+    const double part_102 = part_101 * part_58 + y_3 * (part_101 * part_57 + y_3 * (part_101 *
+        part_56 + y_3 * (part_101 * part_55 + y_3 * (part_101 * part_54 + y_3 * (part_101 *
+        0.00084900787100000003)))));
+    const double part_103 = part_102 * halo_3 + halo_3 * part_102;
+    const double part_104 = 0.0099299999999999996 * part_60 + part_51 * ((-0.0079000000000000008) *
+        halo4_3 + part_52 * (part_103 * halo2_3 + halo2_3 * part_103) + (-0.0109) * cosine2_2);
+    const double part_105 = (part_100 * x_zenith + one * ((((0.00166 * x[1] + part_44) * x[0] +
+        ((-0.0037499999999999999) * x[1] + part_46)) * x[0] + (0.0020899999999999998 * x[1] +
+        part_48)) * x[0] + 0.0039399999999999999)) * shape_z + part_50 * part_104;
+    out[19] = 3.7389855999999999 * part_105;
+    const double part_106 = (part_100 * y_zenith + one * part_95) * shape_x + part_61 * part_99;
+    const double part_107 = (part_100 * shape_z + one * part_104) * shape_x + part_62 * part_99;
+    out[20] = (-0.49853140000000001) * part_107;
+    out[18] = out[19] + (-1.0386070999999999) * part_106 + out[20];
+    out[22] = (-1.0108219999999999) * part_105;
+    out[23] = 0.041556000000000003 * part_107;
+    out[21] = out[22] + 1.8344548000000001 * part_106 + out[23];
+    out[25] = (-1.0015818000000001) * part_105;
+    out[26] = 1.0572252 * part_107;
+    out[24] = out[25] + (-1.2612511) * part_106 + out[26];
     (void)x;
+}
+
+/* The sine of the sun's zenith angle, then its slope. */
+static inline void skylight_sh_4_bands_0_005pct_packed_sine_slope(const double *x, double *out)
+{
+    out[0] = sin(x[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_SUN]);
+    out[1] = cos(x[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_SUN]);
 }
 
 /* 0 for a finite number, 1 for an infinity, 2 for NaN: by its bits, so that -ffast-math cannot
@@ -573,10 +912,136 @@ static inline int skylight_sh_4_bands_0_005pct_packed_inputs(const float
     return status;
 }
 
+/* Numbers side by side where the compiler has vector types: as many as the processor's registers
+   hold, and four. */
+#if defined(__GNUC__) && (defined(__SSE__) || defined(__ARM_NEON) || defined(__ALTIVEC__) || \
+                          defined(__wasm_simd128__) || defined(__loongarch_sx))
+#if defined(__AVX512F__)
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_LANES 16
+#elif defined(__AVX__)
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_LANES 8
+#else
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_LANES 4
+#endif
+#endif
+/* What is worth its place in every caller. */
+#ifdef __GNUC__
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_INLINE static inline __attribute__((always_inline))
+#else
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_INLINE static inline
+#endif
+#ifdef SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_LANES
+#ifdef __FMA__
+/* One operation for a product and a sum, which standard C may not choose by itself. */
+#include <immintrin.h>
+#endif
+typedef float skylight_sh_4_bands_0_005pct_packed_lanes __attribute__((vector_size(4 *
+    SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_LANES)));
+typedef float skylight_sh_4_bands_0_005pct_packed_four __attribute__((vector_size(16)));
+typedef int skylight_sh_4_bands_0_005pct_packed_order __attribute__((vector_size(16)));
+
+static inline skylight_sh_4_bands_0_005pct_packed_lanes
+    skylight_sh_4_bands_0_005pct_packed_spread(float v)
+{
+    const skylight_sh_4_bands_0_005pct_packed_lanes zeros = {0};
+    return zeros + v;
+}
+
+static inline skylight_sh_4_bands_0_005pct_packed_lanes
+    skylight_sh_4_bands_0_005pct_packed_load(const float *from)
+{
+    skylight_sh_4_bands_0_005pct_packed_lanes v;
+    memcpy(&v, from, sizeof v);
+    return v;
+}
+
+/* a * b + c. */
+static inline skylight_sh_4_bands_0_005pct_packed_lanes
+    skylight_sh_4_bands_0_005pct_packed_add(skylight_sh_4_bands_0_005pct_packed_lanes a,
+    skylight_sh_4_bands_0_005pct_packed_lanes b,
+                                                skylight_sh_4_bands_0_005pct_packed_lanes c)
+{
+#if defined(__FMA__) && SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_LANES == 16
+    return _mm512_fmadd_ps(a, b, c);
+#elif defined(__FMA__) && SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_LANES == 8
+    return _mm256_fmadd_ps(a, b, c);
+#else
+    return a * b + c;
+#endif
+}
+
+static inline skylight_sh_4_bands_0_005pct_packed_four
+    skylight_sh_4_bands_0_005pct_packed_spread_four(float v)
+{
+    const skylight_sh_4_bands_0_005pct_packed_four zeros = {0};
+    return zeros + v;
+}
+
+static inline skylight_sh_4_bands_0_005pct_packed_four
+    skylight_sh_4_bands_0_005pct_packed_load_four(const float *from)
+{
+    skylight_sh_4_bands_0_005pct_packed_four v;
+    memcpy(&v, from, sizeof v);
+    return v;
+}
+
+static inline skylight_sh_4_bands_0_005pct_packed_four
+    skylight_sh_4_bands_0_005pct_packed_add_four(skylight_sh_4_bands_0_005pct_packed_four a,
+    skylight_sh_4_bands_0_005pct_packed_four b,
+                                                    skylight_sh_4_bands_0_005pct_packed_four c)
+{
+#ifdef __FMA__
+    return _mm_fmadd_ps(a, b, c);
+#else
+    return a * b + c;
+#endif
+}
+
+static inline void skylight_sh_4_bands_0_005pct_packed_keep(float *to,
+    skylight_sh_4_bands_0_005pct_packed_four v)
+{
+    memcpy(to, &v, sizeof v);
+}
+
+/* Four of the eight numbers of two vectors. */
+#ifdef __clang__
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_PICK(v, w, a, b, c, d) __builtin_shufflevector(v, w, \
+    a, b, c, d)
+#else
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_PICK(v, w, a, b, c, d) \
+    skylight_sh_4_bands_0_005pct_packed_pick(v, w, a, b, c, d)
+static inline skylight_sh_4_bands_0_005pct_packed_four
+    skylight_sh_4_bands_0_005pct_packed_pick(skylight_sh_4_bands_0_005pct_packed_four v,
+    skylight_sh_4_bands_0_005pct_packed_four w, int a,
+                                                int b, int c, int d)
+{
+    const skylight_sh_4_bands_0_005pct_packed_order order = {a, b, c, d};
+    return __builtin_shuffle(v, w, order);
+}
+#endif
+#endif
+
+/* One channel's sums, from those of its classes. */
+static inline void skylight_sh_4_bands_0_005pct_packed_mix(skylight_sh_4_bands_0_005pct_packed_real
+    sums[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASSES][SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_ROOM],
+                                   int channel,
+                                       const skylight_sh_4_bands_0_005pct_packed_real *factors,
+                                   skylight_sh_4_bands_0_005pct_packed_real *mixed)
+{
+    int i;
+    int k;
+    for (i = 0; i < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WIDTH; ++i)
+        mixed[i] = factors[channel * SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASSES] * sums[0][i];
+    for (k = 1; k < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASSES; ++k)
+        for (i = 0; i < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WIDTH; ++i)
+            mixed[i] += factors[channel * SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASSES + k] *
+                sums[k][i];
+}
+
 /* Orders m >= 0 alone are stored: those of a light that is even in y at azimuth 0. */
 #define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_FIRST_ORDER(l) 0
 
-/* Stores the weight of degree l and order m turned by the azimuth (Habel et al. 2008, eq. 4). */
+/* Stores one weight of degree l and order m turned by the azimuth. */
 static inline void
     skylight_sh_4_bands_0_005pct_packed_place(skylight_sh_4_bands_0_005pct_packed_real value, int l,
     int m,
@@ -586,6 +1051,305 @@ static inline void
 {
     weights[l * (l + 1) - m] = (float)(value * sines[m]);
     weights[l * (l + 1) + m] = (float)(value * cosines[m]);
+}
+
+/* Stores the first `bands` bands of the channels' weights, turned by the azimuth (Habel et al.
+ * 2008,
+   eq. 4 with nothing for m < 0). */
+static inline void skylight_sh_4_bands_0_005pct_packed_store(
+    skylight_sh_4_bands_0_005pct_packed_real
+        sums[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASSES][SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_ROOM],
+        const skylight_sh_4_bands_0_005pct_packed_real *factors,
+    const skylight_sh_4_bands_0_005pct_packed_real *cosines,
+        const skylight_sh_4_bands_0_005pct_packed_real *sines, int bands,
+    float
+        weights[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CHANNELS]
+        [SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WEIGHTS])
+{
+    int channel;
+#if defined(SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_LANES) && \
+    SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BANDS > 3
+    /* In fours; each overshoot is overwritten by what follows. */
+    float plus[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BANDS],
+        minus[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BANDS + 3] = {0};
+    int m, q;
+    for (m = 0; m < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BANDS; ++m) {
+        plus[m] = cosines[m];
+        minus[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BANDS - 1 - m] = sines[m];
+    }
+    for (channel = 0; channel < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CHANNELS; ++channel) {
+        float *const w = weights[channel];
+        skylight_sh_4_bands_0_005pct_packed_four v[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_FOURS];
+        for (q = 0; q < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_FOURS; ++q) {
+            int k;
+            v[q] = factors[channel * SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASSES] *
+                skylight_sh_4_bands_0_005pct_packed_load_four(sums[0] + 4 * q);
+            for (k = 1; k < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASSES; ++k)
+                v[q] = skylight_sh_4_bands_0_005pct_packed_add_four(
+                    skylight_sh_4_bands_0_005pct_packed_spread_four(factors[channel *
+                        SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASSES + k]),
+                    skylight_sh_4_bands_0_005pct_packed_load_four(sums[k] + 4 * q), v[q]);
+        }
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BAND(l, stores) \
+    if (bands > (l)) { stores }
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_NOTHING(place, count) memset(w + (place), 0, \
+    sizeof(float) * (count));
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_MINUS(place, q, r, a, b, c, d, order) \
+    skylight_sh_4_bands_0_005pct_packed_keep(w + (place), \
+                     SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_PICK(v[q], v[r], a, b, c, d) * \
+                         skylight_sh_4_bands_0_005pct_packed_load_four(minus + \
+                             SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BANDS - 1 - (order)));
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_PLUS(place, q, r, a, b, c, d, order) \
+    skylight_sh_4_bands_0_005pct_packed_keep(w + (place), \
+        SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_PICK(v[q], v[r], a, b, c, d) * \
+                                      skylight_sh_4_bands_0_005pct_packed_load_four(plus + \
+                                          (order)));
+        SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_STORES(SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BAND,
+            SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_NOTHING, SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_MINUS,
+                           SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_PLUS)
+#undef SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BAND
+#undef SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_NOTHING
+#undef SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_MINUS
+#undef SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_PLUS
+    }
+#else
+    static const short columns[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BANDS] =
+        SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_COLUMNS;
+    for (channel = 0; channel < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CHANNELS; ++channel) {
+        skylight_sh_4_bands_0_005pct_packed_real v[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WIDTH];
+        int l, m;
+        skylight_sh_4_bands_0_005pct_packed_mix(sums, channel, factors, v);
+        for (l = 0; l < bands; ++l) {
+            float *const w = weights[channel] + l * (l + 1);
+            const int column = columns[l];
+            for (m = 1; m <= l; ++m)
+                w[-m] = column < 0 ? 0.0f : (float)(v[column + m] * sines[m]);
+            for (m = 0; m <= l; ++m)
+                w[m] = column < 0 ? 0.0f : (float)(v[column + m] * cosines[m]);
+        }
+    }
+#endif
+    (void)cosines;
+    (void)sines;
+}
+
+#ifdef SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_LANES
+
+/* Vectors that the first `count` numbers of a row take, and those that are summed at once, in
+   registers. */
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_VECTORS(count) (((count) + \
+    SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_LANES - 1) / SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_LANES)
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BLOCKS \
+    ((SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_VECTORS(SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WIDTH) + 6) \
+    / 7)
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BLOCK \
+    ((SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_VECTORS(SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WIDTH) + \
+        SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BLOCKS - 1) / \
+        SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BLOCKS)
+#endif
+
+/* The products of the functions of all axes, of one class in the order of its rows. */
+static inline void skylight_sh_4_bands_0_005pct_packed_multiply(int class_,
+    const skylight_sh_4_bands_0_005pct_packed_real *first,
+                                        const skylight_sh_4_bands_0_005pct_packed_real *others,
+                                            skylight_sh_4_bands_0_005pct_packed_real *products)
+{
+    int i;
+#ifdef SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_LANES
+    /* In fours: each overshoot is overwritten by the next line. */
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_PRODUCT(which, place, count, other) \
+    for (i = 0; i < (count) && class_ == (which); i += 4) \
+        skylight_sh_4_bands_0_005pct_packed_keep(products + (place) + i, \
+                         skylight_sh_4_bands_0_005pct_packed_load_four(first + i) * others[other]);
+#else
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_PRODUCT(which, place, count, other) \
+    for (i = 0; i < (count) && class_ == (which); ++i) products[(place) + i] = first[i] * \
+        others[other];
+#endif
+    SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_PRODUCTS(SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_PRODUCT)
+#undef SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_PRODUCT
+}
+#ifdef SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_LANES
+
+/* Rows whose sums run side by side, so that no sum waits for the one before. */
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_SIDE (SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BLOCK > 4 ? \
+    1 : SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BLOCK > 2 ? 2 : 4)
+
+/* sums = sum over t of products[t] * row t: SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BLOCK vectors of
+ * each row, which stay in
+   registers. */
+static inline void skylight_sh_4_bands_0_005pct_packed_sum_block(const
+    skylight_sh_4_bands_0_005pct_packed_real *row, int terms,
+                                         const skylight_sh_4_bands_0_005pct_packed_real *products,
+                                             skylight_sh_4_bands_0_005pct_packed_real *sums)
+{
+    skylight_sh_4_bands_0_005pct_packed_lanes
+        total[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_SIDE][SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BLOCK];
+    int t, i, k;
+    for (i = 0; i < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_SIDE; ++i)
+        for (k = 0; k < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BLOCK; ++k) total[i][k] =
+            skylight_sh_4_bands_0_005pct_packed_spread(0);
+    for (t = 0; t + SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_SIDE <= terms; t +=
+        SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_SIDE) {
+        for (i = 0; i < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_SIDE; ++i) {
+            const skylight_sh_4_bands_0_005pct_packed_lanes product =
+                skylight_sh_4_bands_0_005pct_packed_spread(products[t + i]);
+            for (k = 0; k < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BLOCK; ++k)
+                total[i][k] = skylight_sh_4_bands_0_005pct_packed_add(
+                    product, skylight_sh_4_bands_0_005pct_packed_load(row + i *
+                        SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WIDTH + k *
+                        SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_LANES),
+                    total[i][k]);
+        }
+        row += SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_SIDE * SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WIDTH;
+    }
+    for (; t < terms; ++t) {
+        const skylight_sh_4_bands_0_005pct_packed_lanes product =
+            skylight_sh_4_bands_0_005pct_packed_spread(products[t]);
+        for (k = 0; k < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BLOCK; ++k)
+            total[0][k] = skylight_sh_4_bands_0_005pct_packed_add(product,
+                skylight_sh_4_bands_0_005pct_packed_load(row + k *
+                SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_LANES),
+                                          total[0][k]);
+        row += SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WIDTH;
+    }
+    for (k = 0; k < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BLOCK; ++k) {
+        for (i = 1; i < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_SIDE; ++i) total[0][k] += total[i][k];
+        memcpy(sums + k * SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_LANES, &total[0][k],
+            sizeof total[0][k]);
+    }
+}
+
+/* The same for one vector of each row. */
+static inline void skylight_sh_4_bands_0_005pct_packed_sum_vector(const
+    skylight_sh_4_bands_0_005pct_packed_real *row, int terms,
+                                          const skylight_sh_4_bands_0_005pct_packed_real *products,
+                                              skylight_sh_4_bands_0_005pct_packed_real *sums)
+{
+    skylight_sh_4_bands_0_005pct_packed_lanes total = skylight_sh_4_bands_0_005pct_packed_spread(0),
+        other = skylight_sh_4_bands_0_005pct_packed_spread(0);
+    int t;
+    for (t = 0; t + 2 <= terms; t += 2) {
+        total =
+            skylight_sh_4_bands_0_005pct_packed_add(skylight_sh_4_bands_0_005pct_packed_spread(
+            products[t]), skylight_sh_4_bands_0_005pct_packed_load(row), total);
+        other =
+            skylight_sh_4_bands_0_005pct_packed_add(skylight_sh_4_bands_0_005pct_packed_spread(
+            products[t + 1]),
+                                skylight_sh_4_bands_0_005pct_packed_load(row +
+                                    SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WIDTH), other);
+        row += 2 * SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WIDTH;
+    }
+    if (t < terms)
+        total =
+            skylight_sh_4_bands_0_005pct_packed_add(skylight_sh_4_bands_0_005pct_packed_spread(
+            products[t]), skylight_sh_4_bands_0_005pct_packed_load(row), total);
+    total += other;
+    memcpy(sums, &total, sizeof total);
+}
+
+/* The first `count` numbers of the sum over t of products[t] * row t. */
+static inline void skylight_sh_4_bands_0_005pct_packed_sum(const
+    skylight_sh_4_bands_0_005pct_packed_real *row, int terms,
+                                   const skylight_sh_4_bands_0_005pct_packed_real *products,
+                                       int count,
+                                   skylight_sh_4_bands_0_005pct_packed_real *sums)
+{
+    const int vectors = SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_VECTORS(count);
+    int k = 0;
+    if (vectors >= SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BLOCK) {
+        for (; k + SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BLOCK <= vectors; k +=
+            SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BLOCK)
+            skylight_sh_4_bands_0_005pct_packed_sum_block(row + k *
+                SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_LANES, terms, products,
+                                  sums + k * SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_LANES);
+    }
+    for (; k < vectors; ++k)
+        skylight_sh_4_bands_0_005pct_packed_sum_vector(row + k *
+            SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_LANES, terms, products,
+                               sums + k * SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_LANES);
+}
+#else
+
+/* The first `count` numbers of the sum over t of products[t] * row t, four rows a pass: no
+   reduction, so that it vectorises. */
+static inline void skylight_sh_4_bands_0_005pct_packed_sum(const
+    skylight_sh_4_bands_0_005pct_packed_real *row, int terms,
+                                   const skylight_sh_4_bands_0_005pct_packed_real *products,
+                                       int count,
+                                   skylight_sh_4_bands_0_005pct_packed_real *sums)
+{
+    int t, k;
+    for (k = 0; k < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_ROOM; ++k) sums[k] = 0;
+    for (t = 0; t + 4 <= terms; t += 4) {
+        const skylight_sh_4_bands_0_005pct_packed_real a = products[t], b = products[t + 1];
+        const skylight_sh_4_bands_0_005pct_packed_real c = products[t + 2], d = products[t + 3];
+        for (k = 0; k < count; ++k)
+            sums[k] += (a * row[k] + b * row[k + SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WIDTH]) +
+                       (c * row[k + 2 * SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WIDTH] + d * row[k + 3 *
+                           SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WIDTH]);
+        row += 4 * SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WIDTH;
+    }
+    for (; t < terms; ++t) {
+        for (k = 0; k < count; ++k) sums[k] += products[t] * row[k];
+        row += SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WIDTH;
+    }
+}
+#endif
+
+/* The sums of one class's rows, one a term, for the first `bands` bands. */
+static inline void skylight_sh_4_bands_0_005pct_packed_sum_class(const
+    skylight_sh_4_bands_0_005pct_packed_real *rows, int class_,
+                                         const skylight_sh_4_bands_0_005pct_packed_real *first,
+                                         const skylight_sh_4_bands_0_005pct_packed_real *others,
+                                             int bands,
+                                         skylight_sh_4_bands_0_005pct_packed_real *sums)
+{
+    static const unsigned short starts[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASSES] =
+        SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_STARTS;
+    static const unsigned short counts[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASSES] =
+        SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_COUNTS;
+    static const unsigned short places[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASSES] =
+        SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_PLACES;
+    static const unsigned short widths[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BANDS] =
+        SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WIDTHS;
+    const skylight_sh_4_bands_0_005pct_packed_real *const row = rows + (int)starts[class_] *
+        SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WIDTH;
+    skylight_sh_4_bands_0_005pct_packed_real
+        products[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_PRODUCTS_ROOM];
+    skylight_sh_4_bands_0_005pct_packed_multiply(class_, first, others, products);
+    if (bands == SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BANDS) {
+        skylight_sh_4_bands_0_005pct_packed_sum(row, counts[class_], products + places[class_],
+            SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WIDTH, sums);
+    } else {
+        memset(sums, 0, sizeof *sums * SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_ROOM);
+        skylight_sh_4_bands_0_005pct_packed_sum(row, counts[class_], products + places[class_],
+            widths[bands - 1], sums);
+    }
+}
+
+/* The same in double precision, all bands: what derivatives need, whose terms cancel. */
+static inline void skylight_sh_4_bands_0_005pct_packed_sum_rows_double(
+    const skylight_sh_4_bands_0_005pct_packed_real *rows, const double *first, const double *others,
+    double
+        sums[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASSES]
+        [SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WIDTH])
+{
+    static const unsigned char
+        lengths[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASSES]
+        [SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_OTHERS] = SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_LENGTHS;
+    int c, i, k, other;
+    for (c = 0; c < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASSES; ++c) {
+        for (k = 0; k < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WIDTH; ++k) sums[c][k] = 0.0;
+        for (other = 0; other < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_OTHERS; ++other) {
+            for (i = 0; i < (int)lengths[c][other]; ++i) {
+                const double product = first[i] * others[other];
+                for (k = 0; k < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WIDTH; ++k) sums[c][k] +=
+                    product * (double)rows[k];
+                rows += SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WIDTH;
+            }
+        }
+    }
 }
 
 /* Reads the stream: whole numbers as Rice codes, low bit of each byte first. */
@@ -658,7 +1422,7 @@ static inline void
     for (i = 0; i < used; ++i) profile[i] = (int)skylight_sh_4_bands_0_005pct_packed_fixed(b, 5);
 }
 
-/* The length of the next run, by that of the same channel and product at the weight before. */
+/* The length of the next run, by that of the same class and product at the weight before. */
 static inline int
     skylight_sh_4_bands_0_005pct_packed_next_length(skylight_sh_4_bands_0_005pct_packed_bits *b,
     signed char *length)
@@ -680,38 +1444,35 @@ static const signed char
     skylight_sh_4_bands_0_005pct_packed_run_profile[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_RUNS] =
     SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_RUN_PROFILE;
 static const signed char
-    skylight_sh_4_bands_0_005pct_packed_channel_profile
-    [SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CHANNELS] =
-    SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CHANNEL_PROFILE;
+    skylight_sh_4_bands_0_005pct_packed_class_profile[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASSES] =
+    SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASS_PROFILE;
 
-/* Reads the stream once, forward, and stores the first `bands` bands. */
-static inline void skylight_sh_4_bands_0_005pct_packed_combine(const
-    skylight_sh_4_bands_0_005pct_packed_real *first,
-                                       const skylight_sh_4_bands_0_005pct_packed_real *others,
-                                       const skylight_sh_4_bands_0_005pct_packed_real *cosines,
-                                       const skylight_sh_4_bands_0_005pct_packed_real *sines,
-                                           int bands,
-                                       float
-                                           weights[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CHANNELS]
-                                           [SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WEIGHTS])
+/* Reads the stream once, forward: the sums of the first `bands` bands. */
+static inline void skylight_sh_4_bands_0_005pct_packed_sum_stream(
+    const skylight_sh_4_bands_0_005pct_packed_real *first,
+        const skylight_sh_4_bands_0_005pct_packed_real *others, int bands,
+    skylight_sh_4_bands_0_005pct_packed_real
+        sums[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASSES][SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_ROOM])
 {
     signed char
-        lengths[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CHANNELS]
+        lengths[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASSES]
         [SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_RUNS];
-    int profile[32], i, l, m, channel, other;
+    int profile[32], i, l, m, c, other, column = 0;
     skylight_sh_4_bands_0_005pct_packed_bits bits = skylight_sh_4_bands_0_005pct_packed_open();
     memset(lengths, 0, sizeof lengths);
     memset(profile, 0, sizeof profile);
+    memset(sums, 0, sizeof(skylight_sh_4_bands_0_005pct_packed_real) *
+        SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASSES * SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_ROOM);
     for (l = 0; l < bands; ++l) {
         skylight_sh_4_bands_0_005pct_packed_next_profile(&bits, profile);
-        for (m = SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_FIRST_ORDER(l); m <= l; ++m) {
-            for (channel = 0; channel < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CHANNELS; ++channel) {
+        for (m = SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_FIRST_ORDER(l); m <= l; ++m, ++column) {
+            for (c = 0; c < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASSES; ++c) {
                 skylight_sh_4_bands_0_005pct_packed_real value = 0;
                 for (other = 0; other < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_RUNS; ++other) {
                     const int level = skylight_sh_4_bands_0_005pct_packed_run_profile[other] +
-                                      skylight_sh_4_bands_0_005pct_packed_channel_profile[channel];
+                        skylight_sh_4_bands_0_005pct_packed_class_profile[c];
                     const int length = skylight_sh_4_bands_0_005pct_packed_next_length(&bits,
-                        &lengths[channel][other]);
+                        &lengths[c][other]);
                     skylight_sh_4_bands_0_005pct_packed_real sum = 0;
                     for (i = 0; i < length; ++i) {
                         const int number = skylight_sh_4_bands_0_005pct_packed_next_number(&bits,
@@ -720,40 +1481,83 @@ static inline void skylight_sh_4_bands_0_005pct_packed_combine(const
                     }
                     value += sum * others[other];
                 }
-                skylight_sh_4_bands_0_005pct_packed_place(value *
-                    SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_STEP, l, m, cosines, sines,
-                                  weights[channel]);
+                sums[c][column] = value * SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_STEP;
             }
         }
     }
 }
 
-/* The same in double precision, all bands: what derivatives need, whose terms cancel. */
-static inline void skylight_sh_4_bands_0_005pct_packed_combine_double(
+/* Reads the stream once, forward, into rows: of each class one for each product of functions. */
+static inline void skylight_sh_4_bands_0_005pct_packed_unpack_rows(float *rows)
+{
+    static const unsigned char
+        sizes[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASSES]
+        [SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_OTHERS] = SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_LENGTHS;
+    unsigned short
+        starts[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASSES]
+        [SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_RUNS];
+    signed char
+        lengths[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASSES]
+        [SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_RUNS];
+    int profile[32], i, l, m, c, other, column = 0, row = 0;
+    skylight_sh_4_bands_0_005pct_packed_bits bits = skylight_sh_4_bands_0_005pct_packed_open();
+    memset(lengths, 0, sizeof lengths);
+    memset(profile, 0, sizeof profile);
+    for (c = 0; c < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASSES; ++c) {
+        for (other = 0; other < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_OTHERS; ++other) {
+            if (other < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_RUNS) starts[c][other] = (unsigned
+                short)row;
+            row += sizes[c][other];
+        }
+    }
+    for (i = 0; i < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_UNPACKED; ++i) rows[i] = 0.0f;
+    for (l = 0; l < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BANDS; ++l) {
+        skylight_sh_4_bands_0_005pct_packed_next_profile(&bits, profile);
+        for (m = SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_FIRST_ORDER(l); m <= l; ++m, ++column) {
+            for (c = 0; c < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASSES; ++c) {
+                for (other = 0; other < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_RUNS; ++other) {
+                    const int level = skylight_sh_4_bands_0_005pct_packed_run_profile[other] +
+                        skylight_sh_4_bands_0_005pct_packed_class_profile[c];
+                    const int length = skylight_sh_4_bands_0_005pct_packed_next_length(&bits,
+                        &lengths[c][other]);
+                    float *to = rows + (int)starts[c][other] *
+                        SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WIDTH + column;
+                    for (i = 0; i < length; ++i) {
+                        const int number = skylight_sh_4_bands_0_005pct_packed_next_number(&bits,
+                            profile[i] + level);
+                        *to = (float)number * SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_STEP;
+                        to += SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WIDTH;
+                    }
+                }
+            }
+        }
+    }
+}
+
+/* The sums in double precision, all bands: what derivatives need, whose terms cancel. */
+static inline void skylight_sh_4_bands_0_005pct_packed_sum_stream_double(
     const double *first, const double *others,
-        const skylight_sh_4_bands_0_005pct_packed_real *cosines,
-    const skylight_sh_4_bands_0_005pct_packed_real *sines,
-        float
-        weights[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CHANNELS]
-        [SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WEIGHTS])
+        double
+        sums[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASSES]
+        [SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WIDTH])
 {
     signed char
-        lengths[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CHANNELS]
+        lengths[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASSES]
         [SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_RUNS];
-    int profile[32], i, l, m, channel, other;
+    int profile[32], i, l, m, c, other, column = 0;
     skylight_sh_4_bands_0_005pct_packed_bits bits = skylight_sh_4_bands_0_005pct_packed_open();
     memset(lengths, 0, sizeof lengths);
     memset(profile, 0, sizeof profile);
     for (l = 0; l < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BANDS; ++l) {
         skylight_sh_4_bands_0_005pct_packed_next_profile(&bits, profile);
-        for (m = SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_FIRST_ORDER(l); m <= l; ++m) {
-            for (channel = 0; channel < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CHANNELS; ++channel) {
+        for (m = SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_FIRST_ORDER(l); m <= l; ++m, ++column) {
+            for (c = 0; c < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASSES; ++c) {
                 double value = 0.0;
                 for (other = 0; other < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_RUNS; ++other) {
                     const int level = skylight_sh_4_bands_0_005pct_packed_run_profile[other] +
-                                      skylight_sh_4_bands_0_005pct_packed_channel_profile[channel];
+                        skylight_sh_4_bands_0_005pct_packed_class_profile[c];
                     const int length = skylight_sh_4_bands_0_005pct_packed_next_length(&bits,
-                        &lengths[channel][other]);
+                        &lengths[c][other]);
                     double sum = 0.0;
                     for (i = 0; i < length; ++i) {
                         const int number = skylight_sh_4_bands_0_005pct_packed_next_number(&bits,
@@ -762,39 +1566,30 @@ static inline void skylight_sh_4_bands_0_005pct_packed_combine_double(
                     }
                     value += sum * others[other];
                 }
-                skylight_sh_4_bands_0_005pct_packed_place((
-                    skylight_sh_4_bands_0_005pct_packed_real)(value *
-                    (double)SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_STEP), l, m,
-                                  cosines, sines, weights[channel]);
+                sums[c][column] = value * (double)SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_STEP;
             }
         }
     }
 }
 
-/* What becomes of the first `bands` bands once they are stored; the others become 0. */
+/* What becomes of the first `bands` bands once they are stored. */
 static inline void skylight_sh_4_bands_0_005pct_packed_finish(int bands, int lights,
-    const skylight_sh_4_bands_0_005pct_packed_real *cosines,
-                                      const skylight_sh_4_bands_0_005pct_packed_real *sines,
                                       float
                                           weights[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CHANNELS]
                                           [SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WEIGHTS])
 {
-    if (bands < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BANDS) {
-        int channel, i;
-        for (channel = 0; channel < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CHANNELS; ++channel)
-            for (i = bands * bands; i < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WEIGHTS; ++i)
-                weights[channel][i] = 0.0f;
-    }
+    (void)bands;
     (void)lights;
-    (void)cosines;
-    (void)sines;
+    (void)weights;
 }
 
 /* Evaluates the first `bands` bands (1 to SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BANDS, clamped like
  * an input) and zeroes the
-   rest; returns the status. */
-static inline int skylight_sh_4_bands_0_005pct_packed_evaluate(const float
-    inputs[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_AXES], float azimuth,
+   rest; returns the status. `rows` are the table's; those of a packed table may be missing. */
+static inline int skylight_sh_4_bands_0_005pct_packed_evaluate(const
+    skylight_sh_4_bands_0_005pct_packed_real *rows,
+                                       const float inputs[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_AXES],
+                                           float azimuth,
                                        int bands,
                                        float
                                            weights[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CHANNELS]
@@ -804,8 +1599,15 @@ static inline int skylight_sh_4_bands_0_005pct_packed_evaluate(const float
         first[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_FIRST],
         others[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_OTHERS];
     skylight_sh_4_bands_0_005pct_packed_real cosines[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BANDS],
-        sines[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BANDS], scale;
-    int i, status = skylight_sh_4_bands_0_005pct_packed_inputs(inputs, azimuth, x);
+        sines[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BANDS];
+    skylight_sh_4_bands_0_005pct_packed_real
+        sums[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASSES][SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_ROOM];
+    skylight_sh_4_bands_0_005pct_packed_real factors[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CHANNELS *
+        SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASSES];
+    skylight_sh_4_bands_0_005pct_packed_real light = SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_EXPOSURE,
+        radius = 1;
+    skylight_sh_4_bands_0_005pct_packed_real early[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_EARLY];
+    int i, all, status = skylight_sh_4_bands_0_005pct_packed_inputs(inputs, azimuth, x);
     if (status == 2) {
         memset(weights, 0, sizeof(float) * SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CHANNELS *
             SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WEIGHTS);
@@ -815,46 +1617,105 @@ static inline int skylight_sh_4_bands_0_005pct_packed_evaluate(const float
         bands = bands < 1 ? 1 : SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BANDS;
         status = 1;
     }
-    scale = skylight_sh_4_bands_0_005pct_packed_scale(x) *
-        (skylight_sh_4_bands_0_005pct_packed_real)SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_EXPOSURE;
+    /* First what the library computes: calls keep no registers. */
+    radius = skylight_sh_4_bands_0_005pct_packed_sine(x);
+    skylight_sh_4_bands_0_005pct_packed_waves((skylight_sh_4_bands_0_005pct_packed_real)azimuth,
+        radius, cosines, sines);
     skylight_sh_4_bands_0_005pct_packed_first(x, first);
     skylight_sh_4_bands_0_005pct_packed_others(x, others);
-    for (i = 0; i < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_OTHERS; ++i) others[i] *= scale;
-    skylight_sh_4_bands_0_005pct_packed_waves((skylight_sh_4_bands_0_005pct_packed_real)azimuth,
-        cosines, sines);
-    skylight_sh_4_bands_0_005pct_packed_combine(first, others, cosines, sines, bands, weights);
-    skylight_sh_4_bands_0_005pct_packed_finish(bands, 1, cosines, sines, weights);
+    skylight_sh_4_bands_0_005pct_packed_begin_factors(x, early);
+    all = bands;
+    if (!rows) skylight_sh_4_bands_0_005pct_packed_sum_stream(first, others, all, sums);
+    if (rows)
+        skylight_sh_4_bands_0_005pct_packed_sum_class(rows, 0, first, others, all, sums[0]);
+    /* Between sums: what has begun above waits for itself, and there is more to do meanwhile. */
+    skylight_sh_4_bands_0_005pct_packed_end_factors(x, early, factors);
+    for (i = 0; i < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CHANNELS *
+        SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASSES; ++i) factors[i] *= light;
+    if (rows)
+    {
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASS(k) \
+    skylight_sh_4_bands_0_005pct_packed_sum_class(rows, k, first, others, all, sums[k]);
+        SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_OTHER_CLASSES(SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASS)
+#undef SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASS
+    }
+    skylight_sh_4_bands_0_005pct_packed_store(sums, factors, cosines, sines, all, weights);
+    skylight_sh_4_bands_0_005pct_packed_finish(bands, 1, weights);
+    if (bands < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BANDS) {
+        int channel;
+        for (channel = 0; channel < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CHANNELS; ++channel)
+            for (i = bands * bands; i < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WEIGHTS; ++i)
+                weights[channel][i] = 0.0f;
+    }
     return status;
+}
+
+/* One of many suns by itself. */
+static inline int skylight_sh_4_bands_0_005pct_packed_evaluate_one(const
+    skylight_sh_4_bands_0_005pct_packed_real *rows,
+                                           const float *const
+                                               inputs[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_AXES],
+                                           const float *azimuths, int sun,
+                                           float
+                                               weights[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CHANNELS]
+                                               [SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WEIGHTS])
+{
+    float given[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_AXES];
+    int axis;
+    for (axis = 0; axis < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_AXES; ++axis) given[axis] =
+        inputs[axis][sun];
+    return skylight_sh_4_bands_0_005pct_packed_evaluate(rows, given,
+        azimuths ? azimuths[sun] : SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_AZIMUTH,
+                                SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BANDS, weights);
 }
 
 /* Evaluates `count` suns from arrays, one an axis, and one of azimuths (or none, where the table
    fixes it); returns the largest status. */
 static inline int skylight_sh_4_bands_0_005pct_packed_evaluate_batch(
-    int count, const float *const inputs[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_AXES],
-        const float *azimuths,
-    float
+    const skylight_sh_4_bands_0_005pct_packed_real *rows, int count,
+        const float *const inputs[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_AXES],
+    const float *azimuths, float
         (*weights)[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CHANNELS]
         [SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WEIGHTS])
 {
-    int s, axis, worst = 0;
-    for (s = 0; s < count; ++s) {
-        const float azimuth = azimuths ? azimuths[s] : SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_AZIMUTH;
-        float sun[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_AXES];
-        int status;
-        for (axis = 0; axis < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_AXES; ++axis) sun[axis] =
-            inputs[axis][s];
-        status = skylight_sh_4_bands_0_005pct_packed_evaluate(sun, azimuth,
-            SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BANDS, weights[s]);
+    int s = 0, status, worst = 0;
+    for (; s < count; ++s) {
+        status = skylight_sh_4_bands_0_005pct_packed_evaluate_one(rows, inputs, azimuths, s,
+            weights[s]);
         worst = status > worst ? status : worst;
+    }
+    return worst;
+}
+
+/* The same with the suns of each weight side by side: `weights` is [channels][weights][count]. */
+static inline int skylight_sh_4_bands_0_005pct_packed_evaluate_columns(const
+    skylight_sh_4_bands_0_005pct_packed_real *rows, int count,
+                                               const float *const
+                                                   inputs[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_AXES],
+                                               const float *azimuths, float *weights)
+{
+    const size_t step = count > 0 ? (size_t)count : 0;
+    int s = 0, i, status, worst = 0;
+    for (; s < count; ++s) {
+        float
+            one[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CHANNELS]
+            [SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WEIGHTS];
+        status = skylight_sh_4_bands_0_005pct_packed_evaluate_one(rows, inputs, azimuths, s, one);
+        worst = status > worst ? status : worst;
+        for (i = 0; i < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CHANNELS *
+            SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WEIGHTS; ++i)
+            weights[(size_t)i * step + (size_t)s] = one[i /
+                SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WEIGHTS][i %
+                SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WEIGHTS];
     }
     return worst;
 }
 
 /* All products of `count` numbers and `size` functions, the functions' place fastest; returns how
    many. */
-static inline int skylight_sh_4_bands_0_005pct_packed_multiply(double *products, int count,
+static inline int skylight_sh_4_bands_0_005pct_packed_multiply_double(double *products, int count,
     const double *functions,
-                                       int size)
+                                              int size)
 {
     int i, k;
     for (k = count - 1; k >= 0; --k) {
@@ -864,10 +1725,46 @@ static inline int skylight_sh_4_bands_0_005pct_packed_multiply(double *products,
     return count * size;
 }
 
+/* The sums of all terms in double, of the axes' functions. */
+static inline void skylight_sh_4_bands_0_005pct_packed_sum_double(
+    const skylight_sh_4_bands_0_005pct_packed_real *rows,
+        double
+        functions[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_AXES]
+        [SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_MOST],
+    double
+        sums[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASSES]
+        [SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WIDTH])
+{
+    static const int sizes[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_AXES] =
+        SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_SIZES;
+    double others[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_OTHERS];
+    int axis, count = 1;
+    others[0] = 1.0;
+    for (axis = 1; axis < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_AXES; ++axis)
+        count = skylight_sh_4_bands_0_005pct_packed_multiply_double(others, count, functions[axis],
+            sizes[axis]);
+    skylight_sh_4_bands_0_005pct_packed_sum_stream_double(functions[0], others, sums);
+    (void)rows;
+    (void)count;
+}
+
+/* One channel's sum in double, at a column. */
+static inline double skylight_sh_4_bands_0_005pct_packed_mixed_double(double
+    sums[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASSES][SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WIDTH],
+                                              int channel, int column, const double *factors)
+{
+    double sum = 0.0;
+    int k;
+    for (k = 0; k < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASSES; ++k)
+        sum += factors[channel * SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASSES + k] * sums[k][column];
+    return sum;
+}
+
 /* Evaluates all bands, and their derivatives after each axis by the product rule, in double until
    they are stored: exact inside the ranges, and beyond one those at its edge. */
 static inline int skylight_sh_4_bands_0_005pct_packed_evaluate_gradient(
-    const float inputs[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_AXES], float azimuth,
+    const skylight_sh_4_bands_0_005pct_packed_real *rows,
+        const float inputs[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_AXES], float azimuth,
     float
         weights[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CHANNELS]
         [SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WEIGHTS],
@@ -875,26 +1772,34 @@ static inline int skylight_sh_4_bands_0_005pct_packed_evaluate_gradient(
         gradient[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_AXES]
         [SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CHANNELS][SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WEIGHTS])
 {
-    static const int sizes[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_AXES] =
-        SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_SIZES;
+    static const short columns[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BANDS] =
+        SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_COLUMNS;
     double x[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_AXES],
         functions[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_AXES]
         [SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_MOST];
     double
-        slopes[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_AXES][SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_MOST],
-        scale[1 + SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_AXES];
+        slopes[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_AXES][SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_MOST];
+    double factors[1 +
+        SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_AXES][SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_FACTORS];
+    double
+        sums[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASSES]
+        [SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WIDTH];
+    double
+        sloped[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASSES]
+        [SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WIDTH];
+    double powers[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BANDS],
+        power_slopes[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BANDS];
     skylight_sh_4_bands_0_005pct_packed_real cosines[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BANDS],
         sines[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BANDS];
-    int axis, other, i;
-    const int status = skylight_sh_4_bands_0_005pct_packed_evaluate(inputs, azimuth,
-        SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BANDS, weights);
-    if (status == 2) {
-        memset(gradient, 0,
-               sizeof(float) * SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_AXES *
-                   SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CHANNELS *
-                   SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WEIGHTS);
-        return 2;
-    }
+    int axis, channel, i, l, m, sunk = 0;
+    const int status =
+        skylight_sh_4_bands_0_005pct_packed_evaluate(rows, inputs, azimuth,
+            SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BANDS, weights);
+    memset(gradient, 0,
+           sizeof(float) * SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_AXES *
+               SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CHANNELS *
+               SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WEIGHTS);
+    if (status == 2) return 2;
     for (axis = 0; axis < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_AXES; ++axis) {
         const double low = skylight_sh_4_bands_0_005pct_packed_slope_range[axis][0];
         const double high = skylight_sh_4_bands_0_005pct_packed_slope_range[axis][1];
@@ -902,31 +1807,59 @@ static inline int skylight_sh_4_bands_0_005pct_packed_evaluate_gradient(
         x[axis] = v < low ? low : v > high ? high : v;
         skylight_sh_4_bands_0_005pct_packed_functions(axis, x[axis], functions[axis], slopes[axis]);
     }
-    skylight_sh_4_bands_0_005pct_packed_scale_slopes(x, scale);
-    for (i = 0; i < 1 + SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_AXES; ++i) scale[i] *=
-        (double)SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_EXPOSURE;
-    skylight_sh_4_bands_0_005pct_packed_waves((skylight_sh_4_bands_0_005pct_packed_real)azimuth,
-        cosines, sines);
-    for (axis = 0; axis < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_AXES; ++axis) {
-        double first[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_MOST],
-            others[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_OTHERS];
-        int count = 1;
-        others[0] = 1.0;
-        for (other = 0; other < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_AXES; ++other) {
-            double one[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_MOST];
-            for (i = 0; i < sizes[other]; ++i) {
-                one[i] = functions[other][i];
-                if (other == axis) one[i] = scale[0] * slopes[axis][i] + scale[1 + axis] * one[i];
-                if (other == 0) first[i] = one[i];
-            }
-            if (other) count = skylight_sh_4_bands_0_005pct_packed_multiply(others, count, one,
-                sizes[other]);
-        }
-        skylight_sh_4_bands_0_005pct_packed_combine_double(first, others, cosines, sines,
-            gradient[axis]);
-        skylight_sh_4_bands_0_005pct_packed_finish(SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BANDS, 0,
-            cosines, sines, gradient[axis]);
+    skylight_sh_4_bands_0_005pct_packed_factor_slopes(x, &factors[0][0]);
+    for (axis = 0; axis < 1 + SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_AXES; ++axis)
+        for (i = 0; i < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_FACTORS; ++i)
+            factors[axis][i] *= (double)SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_EXPOSURE;
+    for (m = 0; m < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BANDS; ++m) {
+        powers[m] = 1.0;
+        power_slopes[m] = 0.0;
     }
+    {
+        double sine[2];
+        skylight_sh_4_bands_0_005pct_packed_sine_slope(x, sine);
+        for (m = 1; m < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BANDS; ++m) {
+            powers[m] = powers[m - 1] * sine[0];
+            power_slopes[m] = (double)m * powers[m - 1] * sine[1];
+        }
+    }
+    skylight_sh_4_bands_0_005pct_packed_waves((skylight_sh_4_bands_0_005pct_packed_real)azimuth, 1,
+        cosines, sines);
+    skylight_sh_4_bands_0_005pct_packed_sum_double(rows, functions, sums);
+    for (axis = 0; axis < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_AXES; ++axis) {
+        double kept[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_MOST];
+        memcpy(kept, functions[axis], sizeof kept);
+        memcpy(functions[axis], slopes[axis], sizeof kept);
+        skylight_sh_4_bands_0_005pct_packed_sum_double(rows, functions, sloped);
+        memcpy(functions[axis], kept, sizeof kept);
+        for (channel = 0; channel < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CHANNELS; ++channel) {
+            float *const w = gradient[axis][channel];
+            for (l = 0; l < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BANDS; ++l) {
+                for (m = SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_FIRST_ORDER(l); m <= l && columns[l] >=
+                    0; ++m) {
+                    const int order = m < 0 ? -m : m;
+                    const int column = columns[l] + m -
+                        SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_FIRST_ORDER(l);
+                    double value =
+                        powers[order] *
+                        (skylight_sh_4_bands_0_005pct_packed_mixed_double(sloped, channel, column,
+                            factors[0]) +
+                         skylight_sh_4_bands_0_005pct_packed_mixed_double(sums, channel, column,
+                             factors[1 + axis]));
+                    if (axis == SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_SUN && !sunk)
+                        value += power_slopes[order] *
+                                 skylight_sh_4_bands_0_005pct_packed_mixed_double(sums, channel,
+                                     column, factors[0]);
+                    skylight_sh_4_bands_0_005pct_packed_place((
+                        skylight_sh_4_bands_0_005pct_packed_real)value, l, m, cosines, sines, w);
+                }
+            }
+        }
+        skylight_sh_4_bands_0_005pct_packed_finish(SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BANDS, 0,
+            gradient[axis]);
+    }
+    (void)power_slopes;
+    (void)sunk;
     return status;
 }
 
@@ -938,8 +1871,9 @@ SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_API int skylight_sh_4_bands_0_005pct_packed_
 {
     const float skylight_sh_4_bands_0_005pct_packed_given[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_AXES]
         = { sun_zenith, turbidity };
-    return skylight_sh_4_bands_0_005pct_packed_evaluate(skylight_sh_4_bands_0_005pct_packed_given,
-        sun_azimuth, SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BANDS, weights);
+    return skylight_sh_4_bands_0_005pct_packed_evaluate(NULL,
+        skylight_sh_4_bands_0_005pct_packed_given, sun_azimuth,
+        SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BANDS, weights);
 }
 
 SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_API int skylight_sh_4_bands_0_005pct_packed_weights_bands(float
@@ -950,8 +1884,8 @@ SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_API int skylight_sh_4_bands_0_005pct_packed_
 {
     const float skylight_sh_4_bands_0_005pct_packed_given[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_AXES]
         = { sun_zenith, turbidity };
-    return skylight_sh_4_bands_0_005pct_packed_evaluate(skylight_sh_4_bands_0_005pct_packed_given,
-        sun_azimuth, bands, weights);
+    return skylight_sh_4_bands_0_005pct_packed_evaluate(NULL,
+        skylight_sh_4_bands_0_005pct_packed_given, sun_azimuth, bands, weights);
 }
 
 SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_API int skylight_sh_4_bands_0_005pct_packed_weights_batch(int
@@ -963,7 +1897,26 @@ SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_API int skylight_sh_4_bands_0_005pct_packed_
     const float *const
         skylight_sh_4_bands_0_005pct_packed_given[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_AXES] = {
         sun_zenith, turbidity };
-    return skylight_sh_4_bands_0_005pct_packed_evaluate_batch(count,
+    float skylight_sh_4_bands_0_005pct_packed_memory[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_UNPACKED];
+    if (count > 1)
+        skylight_sh_4_bands_0_005pct_packed_unpack_rows(skylight_sh_4_bands_0_005pct_packed_memory);
+    return skylight_sh_4_bands_0_005pct_packed_evaluate_batch(count > 1 ?
+        skylight_sh_4_bands_0_005pct_packed_memory : NULL, count,
+        skylight_sh_4_bands_0_005pct_packed_given, sun_azimuth, weights);
+}
+
+SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_API int skylight_sh_4_bands_0_005pct_packed_weights_columns(int
+    count, const float *sun_zenith, const float *sun_azimuth, const float *turbidity,
+    float *weights)
+{
+    const float *const
+        skylight_sh_4_bands_0_005pct_packed_given[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_AXES] = {
+        sun_zenith, turbidity };
+    float skylight_sh_4_bands_0_005pct_packed_memory[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_UNPACKED];
+    if (count > 1)
+        skylight_sh_4_bands_0_005pct_packed_unpack_rows(skylight_sh_4_bands_0_005pct_packed_memory);
+    return skylight_sh_4_bands_0_005pct_packed_evaluate_columns(count > 1 ?
+        skylight_sh_4_bands_0_005pct_packed_memory : NULL, count,
         skylight_sh_4_bands_0_005pct_packed_given, sun_azimuth, weights);
 }
 
@@ -978,9 +1931,68 @@ SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_API int
 {
     const float skylight_sh_4_bands_0_005pct_packed_given[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_AXES]
         = { sun_zenith, turbidity };
-    return
-        skylight_sh_4_bands_0_005pct_packed_evaluate_gradient(
+    return skylight_sh_4_bands_0_005pct_packed_evaluate_gradient(NULL,
         skylight_sh_4_bands_0_005pct_packed_given, sun_azimuth, weights, gradient);
+}
+
+SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_API void skylight_sh_4_bands_0_005pct_packed_unpack(float
+    memory[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_UNPACKED])
+{
+    skylight_sh_4_bands_0_005pct_packed_unpack_rows(memory);
+}
+
+SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_API int
+    skylight_sh_4_bands_0_005pct_packed_unpacked_weights(const float
+    memory[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_UNPACKED], float sun_zenith, float sun_azimuth,
+    float turbidity, float
+    weights[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CHANNELS]
+    [SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WEIGHTS])
+{
+    const float skylight_sh_4_bands_0_005pct_packed_given[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_AXES]
+        = { sun_zenith, turbidity };
+    return skylight_sh_4_bands_0_005pct_packed_evaluate(memory,
+        skylight_sh_4_bands_0_005pct_packed_given, sun_azimuth,
+        SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BANDS, weights);
+}
+
+SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_API int
+    skylight_sh_4_bands_0_005pct_packed_unpacked_weights_bands(const float
+    memory[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_UNPACKED], float sun_zenith, float sun_azimuth,
+    float turbidity, int bands, float
+    weights[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CHANNELS]
+    [SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WEIGHTS])
+{
+    const float skylight_sh_4_bands_0_005pct_packed_given[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_AXES]
+        = { sun_zenith, turbidity };
+    return skylight_sh_4_bands_0_005pct_packed_evaluate(memory,
+        skylight_sh_4_bands_0_005pct_packed_given, sun_azimuth, bands, weights);
+}
+
+SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_API int
+    skylight_sh_4_bands_0_005pct_packed_unpacked_weights_batch(const float
+    memory[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_UNPACKED], int count, const float *sun_zenith,
+    const float *sun_azimuth, const float *turbidity,
+    float
+    (*weights)[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CHANNELS]
+    [SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WEIGHTS])
+{
+    const float *const
+        skylight_sh_4_bands_0_005pct_packed_given[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_AXES] = {
+        sun_zenith, turbidity };
+    return skylight_sh_4_bands_0_005pct_packed_evaluate_batch(memory, count,
+        skylight_sh_4_bands_0_005pct_packed_given, sun_azimuth, weights);
+}
+
+SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_API int
+    skylight_sh_4_bands_0_005pct_packed_unpacked_weights_columns(const float
+    memory[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_UNPACKED], int count, const float *sun_zenith,
+    const float *sun_azimuth, const float *turbidity, float *weights)
+{
+    const float *const
+        skylight_sh_4_bands_0_005pct_packed_given[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_AXES] = {
+        sun_zenith, turbidity };
+    return skylight_sh_4_bands_0_005pct_packed_evaluate_columns(memory, count,
+        skylight_sh_4_bands_0_005pct_packed_given, sun_azimuth, weights);
 }
 
 /* The dominant light's direction, a unit vector: where the linear part of the weights, summed over

@@ -31,14 +31,14 @@
  *   Define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_EXPOSURE before this file (where it holds the table)
  *   to multiply all weights (1 by default).
  *
- * Accuracy, as shipped: E_mean 0.0951 %, E_max 0.272 % of the least luminance of the same sky, at
+ * Accuracy, as shipped: E_mean 0.0967 %, E_max 0.261 % of the least luminance of the same sky, at
  * azimuth 0.
  * The expansion rings: the least value it takes, over all directions and measured sets, is -12.5 %
  * of its largest in the same set; the window below tames it.
- * Memory: 1257 bytes of constants, packed into few bytes (a fast table takes more and less time).
+ * Memory: 955 bytes of constants, packed into few bytes (a fast table takes more and less time).
  *
  * Provenance
- *   skylight-sh 0.1.0, config preetham 7738be1e848979ca, table 4-bands-0.1pct-packed
+ *   skylight-sh 0.1.0, config preetham 50c449acd9f31f25, table 4-bands-0.1pct-packed
  */
 #ifdef __cplusplus
 #if __cplusplus < 201103L && !defined(_MSC_VER)
@@ -65,7 +65,7 @@ before."
 #endif
 
 #ifndef SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_H
-#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_H 0xb69f9157
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_H 0x0a7e6296
 
 #include <math.h>
 #include <stdint.h>
@@ -91,8 +91,9 @@ before."
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CHANNELS 3
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_AXES 2
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_UNIT "cd/m2"
-#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_E_MEAN 9.511000e-04
-#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_E_MAX 2.717000e-03
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_E_MEAN 9.670000e-04
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_E_MAX 2.610000e-03
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_UNPACKED 766
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_SUN_ZENITH_MIN 0.0f
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_SUN_ZENITH_MAX 1.57079637f
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_TURBIDITY_MIN 2.5f
@@ -109,13 +110,19 @@ SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_API int skylight_sh_4_bands_0_1pct_packed_weig
     sun_zenith, float sun_azimuth, float turbidity, int bands,
     float
     weights[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CHANNELS][SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WEIGHTS]);
-/* Evaluates `count` suns from arrays; returns the largest status. No faster
-   than single calls. */
+/* Evaluates `count` suns from arrays; returns the largest status. Unpacks
+   the table once, SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_UNPACKED floats on the stack. */
 SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_API int skylight_sh_4_bands_0_1pct_packed_weights_batch(int count,
     const float *sun_zenith, const float *sun_azimuth, const float *turbidity,
     float
     (*weights)[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CHANNELS]
     [SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WEIGHTS]);
+/* The same with the suns of each weight side by side:
+   [SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CHANNELS][SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WEIGHTS][count].
+       */
+SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_API int skylight_sh_4_bands_0_1pct_packed_weights_columns(int
+    count, const float *sun_zenith, const float *sun_azimuth, const float *turbidity,
+    float *weights);
 /* Evaluates all bands and their derivatives after each axis (sun_zenith,
    turbidity), per unit of the axis; beyond a range, those at its edge. */
 SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_API int skylight_sh_4_bands_0_1pct_packed_weights_gradient(float
@@ -125,6 +132,37 @@ SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_API int skylight_sh_4_bands_0_1pct_packed_weig
     float
     gradient[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_AXES][SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CHANNELS]
     [SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WEIGHTS]);
+/* Unpacks the table into memory of the caller's, SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_UNPACKED
+   floats, for the calls below. */
+SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_API void skylight_sh_4_bands_0_1pct_packed_unpack(float
+    memory[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_UNPACKED]);
+/* Evaluates all bands of an unpacked table: far faster than of the packed
+   one. */
+SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_API int skylight_sh_4_bands_0_1pct_packed_unpacked_weights(const
+    float memory[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_UNPACKED], float sun_zenith, float sun_azimuth,
+    float turbidity, float
+    weights[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CHANNELS][SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WEIGHTS]);
+/* The same for the first `bands` bands. */
+SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_API int
+    skylight_sh_4_bands_0_1pct_packed_unpacked_weights_bands(const float
+    memory[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_UNPACKED], float sun_zenith, float sun_azimuth,
+    float turbidity, int bands, float
+    weights[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CHANNELS][SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WEIGHTS]);
+/* The same for `count` suns from arrays; returns the largest status. */
+SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_API int
+    skylight_sh_4_bands_0_1pct_packed_unpacked_weights_batch(const float
+    memory[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_UNPACKED], int count, const float *sun_zenith,
+    const float *sun_azimuth, const float *turbidity,
+    float
+    (*weights)[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CHANNELS]
+    [SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WEIGHTS]);
+/* The same as
+ * [SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CHANNELS][SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WEIGHTS][count].
+ * */
+SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_API int
+    skylight_sh_4_bands_0_1pct_packed_unpacked_weights_columns(const float
+    memory[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_UNPACKED], int count, const float *sun_zenith,
+    const float *sun_azimuth, const float *turbidity, float *weights);
 /* Unit vector of the dominant light. Returns 0, or 1 (and straight up) where there is none. */
 #define skylight_sh_4_bands_0_1pct_packed_dominant(weights, direction) \
     skylight_sh_4_bands_0_1pct_packed_dominant_of(&(weights)[0][0], direction)
@@ -141,7 +179,7 @@ SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_API void skylight_sh_4_bands_0_1pct_packed_win
     float
     weights[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CHANNELS][SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WEIGHTS]);
 
-#elif SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_H != 0xb69f9157
+#elif SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_H != 0x0a7e6296
 #error "Another table has the prefix skylight_sh_4_bands_0_1pct_packed_4_bands_0_1pct_packed \
 already: export one of them under a prefix of its own."
 #endif /* SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_H */
@@ -155,11 +193,13 @@ typedef float skylight_sh_4_bands_0_1pct_packed_real;
 
 /* Functions of the first axis, in fours; products of the other axes'
    functions. */
-#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_FIRST 12
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_FIRST 8
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_OTHERS 6
-#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_SIZES { 10, 6 }
-#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_MOST 12
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_SIZES { 8, 6 }
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_MOST 8
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_AZIMUTH 0.0f
+/* The axis of the sun's zenith angle. */
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_SUN 0
 /* The channels' luminance. */
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_LUMINANCE { 0.212672845f, 0.715152144f, 0.0721749961f }
 /* What an even ground reflects of the weight l = 1, m = 0, and its own
@@ -176,114 +216,246 @@ static const skylight_sh_4_bands_0_1pct_packed_real
     skylight_sh_4_bands_0_1pct_packed_range[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_AXES][2] = { { 0.0f,
     1.57079637f }, { 2.5f, 6.0f } };
 
+/* Classes; a row's numbers, one a sum, and those of the first 1, 2, ..
+   bands; room for a class's sums. */
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASSES 3
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_OTHER_CLASSES(CLASS) CLASS(1) CLASS(2)
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_FACTORS 9
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WIDTH 10
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WIDTHS { 1, 3, 6, 10 }
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_ROOM 16
+/* All rows; of each class the first row, how many, and the place of its
+   first product. */
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_TERMS 76
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_STARTS { 0, 31, 53 }
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_COUNTS { 31, 22, 23 }
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_PLACES { 0, 32, 56 }
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_PRODUCTS_ROOM 84
+/* Of each class and product of the other axes' functions: how many
+   functions of the first axis it has. */
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_LENGTHS { { 8, 7, 6, 5, 4, 1 }, { 6, 6, 5, 3, 2, 0 }, { \
+    7, 6, 5, 3, 2, 0 } }
+/* The same: of each that has any, class, place of the first product, how
+   many, the other axes' product. */
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_PRODUCTS(PRODUCT) \
+    PRODUCT(0, 0, 8, 0) \
+    PRODUCT(0, 8, 7, 1) \
+    PRODUCT(0, 15, 6, 2) \
+    PRODUCT(0, 21, 5, 3) \
+    PRODUCT(0, 26, 4, 4) \
+    PRODUCT(0, 30, 1, 5) \
+    PRODUCT(1, 32, 6, 0) \
+    PRODUCT(1, 38, 6, 1) \
+    PRODUCT(1, 44, 5, 2) \
+    PRODUCT(1, 49, 3, 3) \
+    PRODUCT(1, 52, 2, 4) \
+    PRODUCT(2, 56, 7, 0) \
+    PRODUCT(2, 63, 6, 1) \
+    PRODUCT(2, 69, 5, 2) \
+    PRODUCT(2, 74, 3, 3) \
+    PRODUCT(2, 77, 2, 4)
+/* Where sums go: of each degree, the first column, or -1 where it carries
+   nothing. */
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_COLUMNS { 0, 1, 3, 6 }
+/* The same for vectors of four: places, two vectors of sums and the numbers
+   of both, order. */
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_FOURS 3
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_STORES(BAND, NOTHING, MINUS, PLUS) \
+    BAND(0, PLUS(0, 0, 0, 0, 1, 2, 3, 0)) \
+    BAND(1, MINUS(1, 0, 0, 2, 1, 0, 0, 1) PLUS(2, 0, 1, 1, 2, 3, 4, 0)) \
+    BAND(2, MINUS(4, 0, 1, 5, 4, 3, 2, 2) PLUS(6, 0, 1, 3, 4, 5, 6, 0)) \
+    BAND(3, MINUS(9, 1, 2, 5, 4, 3, 2, 3) PLUS(12, 1, 2, 2, 3, 4, 5, 0))
+
 /* Runs of numbers, one a product of the other axes' functions, and their
    profiles; what one step is worth. */
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_RUNS 6
-#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_RUN_PROFILE { 7, 4, -1, -7, -13, -18 }
-#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CHANNEL_PROFILE { -5, -5, -3 }
-#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_STEP 0.000104904175f
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_RUN_PROFILE { 5, 3, -1, -7, -14, -18 }
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASS_PROFILE { -3, -10, -8 }
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_STEP 5.4359436e-05f
 
 /* Whole numbers as Rice codes. */
-static const unsigned char skylight_sh_4_bands_0_1pct_packed_stream[1064] = {
-    105, 95, 58, 161, 42, 99, 252, 255, 27, 71, 155, 47, 154, 139, 108, 117, 225, 135, 248, 255, 95,
-    44, 148, 104, 214, 66, 249, 129, 92, 55, 255, 79, 19, 64, 251, 54, 133, 175, 255, 37, 155, 108,
-    69, 191, 193, 216, 151, 251, 255, 157, 47, 81, 41, 216, 171, 63, 72, 64, 202, 255, 47, 0, 184,
-    53, 104, 133, 170, 139, 168, 255, 215, 22, 78, 161, 153, 170, 254, 71, 13, 16, 208, 191, 108,
-    177, 151, 253, 255, 47, 20, 251, 210, 124, 203, 40, 17, 177, 209, 208, 57, 254, 255, 15, 26,
-    217, 110, 6, 121, 196, 46, 223, 125, 154, 245, 255, 175, 134, 206, 204, 64, 17, 151, 125, 124,
-    247, 255, 147, 144, 211, 253, 226, 131, 254, 31, 64, 245, 253, 245, 143, 168, 148, 45, 149, 144,
-    157, 16, 122, 218, 197, 244, 105, 2, 158, 148, 193, 82, 14, 132, 234, 168, 104, 90, 195, 250,
-    110, 207, 33, 234, 27, 20, 142, 116, 187, 204, 137, 222, 57, 219, 241, 185, 169, 77, 159, 44,
-    97, 85, 26, 24, 213, 137, 227, 119, 4, 39, 97, 122, 51, 45, 7, 38, 56, 131, 246, 177, 216, 155,
-    221, 56, 184, 247, 50, 152, 123, 39, 50, 148, 22, 128, 130, 146, 188, 47, 64, 249, 55, 228, 219,
-    231, 78, 173, 27, 112, 156, 7, 6, 182, 237, 144, 211, 99, 76, 237, 253, 71, 195, 176, 127, 255,
-    133, 100, 246, 228, 72, 99, 185, 245, 169, 9, 120, 97, 41, 205, 232, 191, 251, 142, 130, 132,
-    150, 224, 128, 148, 214, 202, 208, 109, 89, 195, 182, 138, 163, 203, 164, 85, 195, 247, 213, 25,
-    22, 224, 112, 224, 199, 76, 185, 191, 157, 105, 2, 234, 210, 243, 213, 209, 80, 0, 85, 247, 112,
-    25, 230, 81, 49, 95, 217, 157, 117, 9, 48, 242, 20, 192, 78, 64, 78, 148, 192, 84, 89, 183, 187,
-    249, 228, 145, 45, 105, 24, 156, 101, 15, 252, 231, 96, 224, 188, 58, 61, 119, 0, 228, 95, 186,
-    150, 74, 199, 208, 8, 171, 96, 47, 97, 49, 54, 186, 27, 145, 208, 44, 81, 94, 187, 65, 155, 197,
-    162, 82, 152, 52, 225, 239, 33, 158, 183, 236, 158, 81, 112, 2, 111, 232, 225, 190, 41, 28, 228,
-    99, 221, 32, 128, 29, 91, 47, 191, 68, 129, 191, 52, 19, 76, 84, 244, 234, 69, 33, 239, 213,
-    168, 149, 89, 164, 165, 26, 251, 201, 217, 1, 133, 247, 214, 89, 74, 176, 35, 136, 203, 136, 40,
-    140, 168, 61, 149, 126, 207, 86, 37, 224, 118, 124, 204, 193, 110, 189, 119, 34, 163, 31, 247,
-    97, 232, 253, 197, 17, 92, 24, 121, 165, 99, 55, 121, 41, 172, 204, 107, 19, 226, 171, 17, 226,
-    76, 117, 157, 9, 66, 200, 95, 193, 105, 87, 52, 111, 218, 230, 232, 102, 82, 143, 234, 175, 109,
-    89, 7, 217, 153, 116, 233, 18, 225, 23, 108, 184, 150, 133, 188, 70, 73, 156, 163, 163, 197, 25,
-    145, 200, 42, 195, 80, 228, 143, 137, 88, 111, 37, 40, 228, 141, 107, 15, 144, 33, 1, 24, 126,
-    94, 182, 91, 247, 3, 111, 37, 4, 231, 48, 218, 109, 166, 231, 223, 52, 60, 100, 247, 120, 190,
-    128, 236, 152, 151, 13, 186, 212, 191, 115, 113, 82, 161, 1, 194, 195, 171, 186, 157, 141, 76,
-    148, 77, 169, 71, 48, 144, 4, 161, 172, 240, 160, 36, 179, 1, 96, 3, 105, 148, 124, 48, 144,
-    128, 21, 6, 146, 159, 212, 24, 185, 84, 93, 51, 121, 34, 106, 77, 32, 152, 201, 54, 216, 144,
-    236, 241, 236, 174, 21, 73, 36, 110, 143, 204, 133, 217, 192, 41, 0, 0, 187, 208, 71, 122, 250,
-    147, 10, 212, 26, 57, 226, 112, 180, 130, 231, 63, 202, 82, 26, 31, 75, 101, 128, 93, 209, 255,
-    146, 146, 73, 71, 246, 54, 248, 72, 229, 150, 243, 95, 196, 99, 51, 153, 171, 176, 41, 68, 44,
-    183, 28, 16, 182, 121, 239, 105, 27, 211, 94, 102, 237, 74, 251, 237, 43, 241, 199, 252, 30, 83,
-    192, 141, 67, 206, 203, 51, 38, 92, 118, 57, 129, 122, 179, 123, 138, 222, 43, 167, 210, 189,
-    122, 90, 233, 180, 235, 163, 213, 96, 11, 146, 20, 56, 1, 110, 1, 241, 188, 194, 185, 9, 248,
-    254, 80, 71, 71, 24, 28, 85, 185, 30, 47, 246, 153, 237, 195, 125, 72, 189, 222, 222, 27, 206,
-    163, 39, 189, 219, 255, 218, 33, 147, 0, 186, 228, 182, 243, 159, 22, 152, 123, 224, 94, 140,
-    109, 203, 21, 121, 16, 30, 183, 233, 156, 65, 32, 204, 173, 144, 187, 90, 21, 247, 124, 69, 154,
-    150, 200, 110, 252, 131, 160, 110, 153, 1, 151, 210, 66, 173, 209, 97, 244, 219, 153, 139, 221,
-    144, 201, 191, 65, 70, 171, 161, 193, 61, 195, 36, 1, 157, 114, 84, 238, 159, 146, 158, 151, 27,
-    57, 240, 101, 10, 45, 84, 87, 140, 74, 194, 156, 186, 215, 99, 57, 247, 144, 223, 4, 76, 245,
-    55, 114, 50, 117, 61, 185, 33, 170, 89, 238, 61, 97, 119, 220, 170, 207, 214, 201, 67, 45, 247,
-    103, 109, 19, 85, 207, 228, 86, 72, 102, 11, 80, 18, 30, 141, 10, 64, 179, 252, 46, 151, 215,
-    216, 62, 76, 90, 218, 12, 2, 86, 56, 58, 135, 48, 215, 154, 73, 45, 238, 144, 56, 116, 133, 51,
-    137, 96, 119, 39, 141, 185, 164, 106, 93, 132, 52, 38, 192, 112, 73, 194, 10, 2, 52, 4, 2, 196,
-    93, 44, 13, 205, 205, 105, 135, 97, 66, 110, 69, 231, 21, 131, 115, 54, 62, 29, 64, 74, 104, 6,
-    87, 81, 90, 87, 117, 212, 16, 71, 241, 156, 90, 91, 7, 98, 210, 57, 57, 90, 68, 168, 178, 113,
-    1, 40, 137, 91, 7, 93, 73, 171, 61, 22, 98, 9, 163, 135, 15, 210, 25, 0, 102, 124, 54, 75, 80,
-    102, 117, 137, 64, 68, 146, 162, 95, 152, 140, 5, 179, 38, 189, 20, 197, 150, 152, 134, 107,
-    176, 2, 33, 144, 38, 49, 243, 212, 49, 3, 144, 217, 145, 51, 8, 227, 20, 204, 7
+static const unsigned char skylight_sh_4_bands_0_1pct_packed_stream[684] = {
+    71, 91, 217, 78, 17, 255, 191, 207, 118, 110, 228, 215, 138, 240, 56, 199, 255, 111, 74, 249, 6,
+    65, 99, 56, 218, 255, 53, 11, 156, 192, 235, 253, 95, 22, 200, 182, 123, 147, 181, 249, 63, 138,
+    8, 21, 18, 255, 233, 70, 87, 172, 63, 169, 68, 31, 226, 255, 247, 152, 255, 190, 29, 230, 32,
+    219, 255, 50, 111, 83, 99, 155, 239, 191, 245, 228, 84, 245, 203, 161, 11, 72, 91, 217, 82, 25,
+    160, 7, 142, 191, 46, 132, 115, 108, 88, 238, 40, 205, 107, 69, 202, 41, 126, 213, 34, 8, 70,
+    43, 14, 58, 122, 207, 54, 173, 12, 86, 217, 90, 20, 113, 189, 88, 34, 52, 119, 1, 50, 98, 250,
+    9, 227, 253, 60, 176, 84, 53, 133, 239, 251, 184, 133, 237, 24, 170, 5, 5, 165, 55, 190, 118,
+    179, 180, 239, 58, 135, 198, 145, 151, 219, 89, 2, 112, 28, 135, 151, 185, 99, 110, 67, 212, 27,
+    186, 144, 186, 111, 84, 38, 100, 107, 85, 46, 80, 191, 164, 86, 222, 89, 251, 70, 94, 221, 156,
+    108, 191, 100, 176, 114, 151, 15, 254, 48, 246, 0, 74, 246, 204, 246, 53, 42, 1, 237, 126, 232,
+    34, 66, 25, 79, 151, 74, 1, 169, 132, 139, 224, 63, 252, 233, 108, 110, 106, 212, 95, 97, 30,
+    231, 109, 125, 146, 150, 120, 189, 55, 244, 104, 13, 188, 106, 22, 4, 75, 82, 141, 14, 175, 175,
+    52, 251, 59, 37, 93, 177, 134, 217, 164, 15, 113, 2, 170, 141, 32, 126, 83, 207, 236, 248, 233,
+    124, 150, 221, 227, 213, 148, 25, 150, 85, 205, 70, 62, 32, 180, 44, 13, 224, 164, 66, 32, 157,
+    35, 148, 197, 51, 7, 212, 123, 173, 24, 119, 30, 85, 188, 209, 176, 47, 249, 70, 201, 141, 203,
+    176, 6, 98, 42, 45, 134, 187, 194, 248, 25, 114, 175, 155, 178, 205, 59, 5, 128, 150, 157, 136,
+    185, 21, 61, 245, 206, 120, 163, 205, 6, 155, 141, 13, 214, 50, 218, 17, 41, 15, 179, 190, 75,
+    0, 135, 144, 241, 90, 141, 139, 28, 125, 176, 84, 15, 193, 13, 218, 220, 80, 152, 170, 250, 145,
+    198, 146, 9, 118, 24, 128, 90, 80, 21, 20, 244, 251, 91, 22, 157, 238, 147, 104, 51, 199, 115,
+    125, 120, 143, 33, 27, 26, 8, 161, 238, 110, 220, 128, 204, 253, 3, 75, 22, 8, 91, 10, 215, 41,
+    160, 55, 26, 238, 200, 30, 87, 111, 143, 24, 99, 242, 167, 154, 143, 185, 189, 207, 166, 229,
+    73, 172, 214, 16, 154, 106, 53, 186, 154, 239, 250, 152, 0, 92, 66, 230, 78, 56, 49, 247, 60,
+    180, 171, 120, 225, 164, 214, 235, 36, 197, 149, 144, 223, 170, 121, 236, 65, 219, 28, 166, 60,
+    43, 154, 24, 100, 189, 147, 200, 114, 109, 127, 255, 245, 8, 192, 85, 89, 91, 92, 244, 253, 110,
+    49, 48, 219, 213, 3, 43, 135, 99, 209, 168, 225, 80, 157, 9, 141, 60, 28, 54, 60, 174, 42, 154,
+    6, 51, 162, 95, 125, 110, 194, 113, 94, 27, 50, 252, 206, 219, 217, 89, 160, 62, 207, 251, 109,
+    30, 41, 93, 1, 108, 109, 158, 148, 5, 80, 10, 148, 151, 211, 113, 183, 203, 110, 150, 33, 18,
+    140, 164, 104, 106, 145, 132, 60, 18, 219, 86, 152, 49, 55, 161, 181, 153, 73, 74, 131, 70, 42,
+    74, 102, 19, 96, 142, 25, 252, 18, 18, 23, 13, 91, 145, 209, 184, 155, 52, 224, 120, 154, 162,
+    198, 156, 128, 129, 221, 210, 25, 22, 203, 134, 8, 91, 177, 232, 180, 81, 53, 87, 13, 1, 152,
+    103, 252, 206, 191, 209, 66, 139, 117, 165, 82, 72, 33, 73, 74, 24, 72, 27, 39, 102, 80, 75, 1,
+    129, 41, 75, 16, 71, 46, 215, 91, 146, 234, 60, 172, 172, 68, 202, 144, 193, 16, 51, 110, 226,
+    208, 99, 20, 59, 72, 144, 214, 6, 180, 0
 };
 
-/* What all weights share: the closed form preetham_zenith. */
-static inline skylight_sh_4_bands_0_1pct_packed_real skylight_sh_4_bands_0_1pct_packed_scale(const
-    skylight_sh_4_bands_0_1pct_packed_real *x)
+/* What all weights share: the closed form preetham_classes. */
+static const unsigned short skylight_sh_4_bands_0_1pct_packed_short[60] = { 40453, 4971, 945, 105,
+    24192, 2155, 420, 15, 1, 1787, 1463, 3554, 4275, 25, 3125, 227, 53251, 1206, 25771, 67, 3703, 5,
+    275, 4214, 15346, 61, 897, 26756, 317, 4153, 667, 516, 26688, 7332, 4, 2125, 641, 8989, 33, 452,
+    166, 2903, 11693, 375, 6377, 21196, 209, 3202, 6052, 394, 25886, 993, 7344, 79, 2102, 441,
+    16537, 109, 529, 41556 };
+
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_EARLY 16
+
+static inline void skylight_sh_4_bands_0_1pct_packed_begin_factors(const
+    skylight_sh_4_bands_0_1pct_packed_real *x, skylight_sh_4_bands_0_1pct_packed_real *early)
 {
-    const float chi = (0.444444448f - x[1] * 0.00833333377f) * (3.14159274f - 2.0f * x[0]);
+    const float chi = (0.888888896f - x[1] * 0.0166666675f) * (1.57079637f - x[0]);
     const float square = chi * chi;
-    const float tan_above = chi * (105.0f - 10.0f * square);
-    const float tan_below = 105.0f - square * (45.0f - square);
-    const float zenith = (4.04530001f * x[1] - 4.97100019f) * tan_above + (2.41919994f -
-        0.215499997f * x[1]) * tan_below;
-    const float a = 0.1787f * x[1] + (-1.46300006f);
-    const float b = (-0.355399996f) * x[1] + 0.42750001f;
-    const float up = 1.0f + b * (0.25f + b * 0.03125f);
+    early[0] = (1.0f * skylight_sh_4_bands_0_1pct_packed_short[2]) - square * ((1.0f *
+        skylight_sh_4_bands_0_1pct_packed_short[6]) - (1.0f *
+        skylight_sh_4_bands_0_1pct_packed_short[7]) * square);
+    early[1] = ((0.100000001f * skylight_sh_4_bands_0_1pct_packed_short[0]) * x[1] - (1.0f *
+        skylight_sh_4_bands_0_1pct_packed_short[1])) * (chi * ((1.0f *
+        skylight_sh_4_bands_0_1pct_packed_short[2]) - square * ((1.0f *
+        skylight_sh_4_bands_0_1pct_packed_short[3]) - square))) + ((0.100000001f *
+        skylight_sh_4_bands_0_1pct_packed_short[4]) - (0.100000001f *
+        skylight_sh_4_bands_0_1pct_packed_short[5]) * x[1]) * early[0];
+    const float part_1 = (-9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[11]) * x[1] +
+        (9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[12]);
+    const float up = (1.0f * skylight_sh_4_bands_0_1pct_packed_short[8]) + part_1 * ((0.00999999978f
+        * skylight_sh_4_bands_0_1pct_packed_short[13]) + part_1 * (9.99999975e-06f *
+        skylight_sh_4_bands_0_1pct_packed_short[14]));
     const float up2 = up * up;
-    const float up4 = up2 * up2;
-    const float c = (-0.0227000006f) * x[1] + 5.32509995f;
-    const float d = 0.1206f * x[1] + (-2.57710004f);
-    const float y = d * x[0];
-    const float halo = 1.0f + y * (0.125f + y * 0.0078125f);
-    const float halo2 = halo * halo;
-    const float halo4 = halo2 * halo2;
-    const float halo8 = halo4 * halo4;
-    const float e = (-0.0670000017f) * x[1] + 0.370299995f;
+    early[2] = (1.0f * skylight_sh_4_bands_0_1pct_packed_short[8]) + ((9.99999975e-05f *
+        skylight_sh_4_bands_0_1pct_packed_short[9]) * x[1] + (-0.00100000005f *
+        skylight_sh_4_bands_0_1pct_packed_short[10])) * (up2 * up2);
+    early[3] = (-9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[15]) * x[1] +
+        (9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[16]);
+    const float y = ((9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[17]) * x[1] +
+        (-9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[18])) * x[0] * (0.00999999978f *
+        skylight_sh_4_bands_0_1pct_packed_short[13]);
+    const float halo = 1.0f + y * (0.99999845f + y * (0.499975085f + y * (0.166515172f + y *
+        (0.0412233174f + y * (0.00765432511f + y * 0.000849007862f)))));
+    early[4] = halo * halo;
     const float z = x[0] * x[0];
-    const float cosine = 1.0f - z * (0.5f - z * (0.0416666679f - z * 0.00138888892f));
-    return 1000.0f * zenith / (tan_below * (1.0f + a * up4) * (1.0f + c * halo8 + e * (cosine *
-        cosine)));
+    const float cosine = (1.0f * skylight_sh_4_bands_0_1pct_packed_short[8]) - z * ((0.100000001f *
+        skylight_sh_4_bands_0_1pct_packed_short[21]) - z * (9.99999975e-06f *
+        skylight_sh_4_bands_0_1pct_packed_short[14]));
+    const float cosine2 = cosine * cosine;
+    early[5] = ((-0.00100000005f * skylight_sh_4_bands_0_1pct_packed_short[19]) * x[1] +
+        (9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[20])) * cosine2;
+    early[6] = (((((9.99999975e-06f * skylight_sh_4_bands_0_1pct_packed_short[22]) * x[1] +
+        (-9.99999975e-06f * skylight_sh_4_bands_0_1pct_packed_short[23])) * x[1] + (9.99999975e-06f
+        * skylight_sh_4_bands_0_1pct_packed_short[24])) * x[0] + (((-9.99999975e-05f *
+        skylight_sh_4_bands_0_1pct_packed_short[25]) * x[1] + (9.99999975e-05f *
+        skylight_sh_4_bands_0_1pct_packed_short[26])) * x[1] + (-9.99999975e-06f *
+        skylight_sh_4_bands_0_1pct_packed_short[27]))) * x[0] + (((9.99999975e-06f *
+        skylight_sh_4_bands_0_1pct_packed_short[28]) * x[1] + (-9.99999975e-06f *
+        skylight_sh_4_bands_0_1pct_packed_short[29])) * x[1] + (9.99999975e-05f *
+        skylight_sh_4_bands_0_1pct_packed_short[30]))) * x[0] + ((9.99999975e-06f *
+        skylight_sh_4_bands_0_1pct_packed_short[31]) * x[1] + (9.99999975e-06f *
+        skylight_sh_4_bands_0_1pct_packed_short[32]));
+    early[7] = (9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[13]) * x[1] +
+        (9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[33]);
+    early[8] = (-9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[34]) * x[1] +
+        (9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[35]);
+    const float y_2 = ((-9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[36]) * x[1] +
+        (-9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[37])) * x[0] * (0.00999999978f *
+        skylight_sh_4_bands_0_1pct_packed_short[13]);
+    const float halo_2 = 1.0f + y_2 * (0.99999845f + y_2 * (0.499975085f + y_2 * (0.166515172f + y_2
+        * (0.0412233174f + y_2 * (0.00765432511f + y_2 * 0.000849007862f)))));
+    early[9] = halo_2 * halo_2;
+    const float z_2 = x[0] * x[0];
+    const float cosine_2 = (1.0f * skylight_sh_4_bands_0_1pct_packed_short[8]) - z_2 *
+        ((0.100000001f * skylight_sh_4_bands_0_1pct_packed_short[21]) - z_2 * (9.99999975e-06f *
+        skylight_sh_4_bands_0_1pct_packed_short[14]));
+    const float cosine2_2 = cosine_2 * cosine_2;
+    early[10] = ((-9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[38]) * x[1] +
+        (9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[39])) * cosine2_2;
+    early[11] = (((((9.99999975e-06f * skylight_sh_4_bands_0_1pct_packed_short[40]) * x[1] +
+        (-9.99999975e-06f * skylight_sh_4_bands_0_1pct_packed_short[41])) * x[1] + (9.99999975e-06f
+        * skylight_sh_4_bands_0_1pct_packed_short[42])) * x[0] + (((-9.99999975e-06f *
+        skylight_sh_4_bands_0_1pct_packed_short[43]) * x[1] + (9.99999975e-06f *
+        skylight_sh_4_bands_0_1pct_packed_short[44])) * x[1] + (-9.99999975e-06f *
+        skylight_sh_4_bands_0_1pct_packed_short[45]))) * x[0] + (((9.99999975e-06f *
+        skylight_sh_4_bands_0_1pct_packed_short[46]) * x[1] + (-9.99999975e-06f *
+        skylight_sh_4_bands_0_1pct_packed_short[47])) * x[1] + (9.99999975e-06f *
+        skylight_sh_4_bands_0_1pct_packed_short[48]))) * x[0] + ((9.99999975e-06f *
+        skylight_sh_4_bands_0_1pct_packed_short[49]) * x[1] + (9.99999975e-06f *
+        skylight_sh_4_bands_0_1pct_packed_short[50]));
+    early[12] = (9.99999975e-06f * skylight_sh_4_bands_0_1pct_packed_short[51]) * x[1] +
+        (9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[52]);
+    early[13] = (-9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[53]) * x[1] +
+        (9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[54]);
+    const float y_3 = ((-9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[55]) * x[1] +
+        (-9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[56])) * x[0] * (0.00999999978f *
+        skylight_sh_4_bands_0_1pct_packed_short[13]);
+    const float halo_3 = 1.0f + y_3 * (0.99999845f + y_3 * (0.499975085f + y_3 * (0.166515172f + y_3
+        * (0.0412233174f + y_3 * (0.00765432511f + y_3 * 0.000849007862f)))));
+    early[14] = halo_3 * halo_3;
+    early[15] = ((-9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[57]) * x[1] +
+        (9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[58])) * cosine2_2;
+    (void)x;
+    (void)early;
 }
 
-/* The functions of sun_zenith (change of variable: reciprocal); 0 where
-   there is none. */
+/* The rest of it. */
+static inline void skylight_sh_4_bands_0_1pct_packed_end_factors(const
+    skylight_sh_4_bands_0_1pct_packed_real *x, const skylight_sh_4_bands_0_1pct_packed_real *early,
+    skylight_sh_4_bands_0_1pct_packed_real *out)
+{
+    const float halo4 = early[4] * early[4];
+    const float shape_y = early[2] * ((1.0f * skylight_sh_4_bands_0_1pct_packed_short[8]) + early[3]
+        * halo4 + early[5]);
+    const float halo4_2 = early[9] * early[9];
+    const float shape_x = early[7] * ((1.0f * skylight_sh_4_bands_0_1pct_packed_short[8]) + early[8]
+        * halo4_2 + early[10]);
+    const float one = early[1] / (early[0] * shape_y * early[6] * shape_x);
+    const float halo4_3 = early[14] * early[14];
+    const float shape_z = early[12] * ((1.0f * skylight_sh_4_bands_0_1pct_packed_short[8]) +
+        early[13] * halo4_3 + early[15]);
+    const float of_x = one * early[11] * shape_z;
+    out[1] = 3.73898554f * of_x;
+    const float of_y = one * early[6] * shape_x;
+    const float of_s = one * shape_z * shape_x;
+    out[2] = (-0.498531401f) * of_s;
+    out[0] = out[1] + (-1.03860712f) * of_y + out[2];
+    out[4] = (-1.01082206f) * of_x;
+    out[5] = (9.99999997e-07f * skylight_sh_4_bands_0_1pct_packed_short[59]) * of_s;
+    out[3] = out[4] + 1.83445477f * of_y + out[5];
+    out[7] = (-1.00158179f) * of_x;
+    out[8] = 1.05722523f * of_s;
+    out[6] = out[7] + (-1.26125109f) * of_y + out[8];
+    (void)x;
+    (void)early;
+}
+
+/* The functions of sun_zenith (change of variable: even); 0 where there is
+   none. */
 static inline void skylight_sh_4_bands_0_1pct_packed_first(const
     skylight_sh_4_bands_0_1pct_packed_real *x, skylight_sh_4_bands_0_1pct_packed_real *out)
 {
     out[0] = 1.0f;
-    out[1] = 4.36619759f * (x[0] - 0.0f) / (5.0f - x[0]) - 1.0f;
+    out[1] = (-13.3479729f) * (x[0] * x[0] - 0.0f) / ((-14.0f) - x[0] * x[0]) - 1.0f;
     out[2] = 2.0f * out[1] * out[1] - 1.0f;
     out[3] = 2.0f * out[1] * out[2] - out[1];
     out[4] = 2.0f * out[2] * out[2] - 1.0f;
     out[5] = 2.0f * out[2] * out[3] - out[1];
     out[6] = 2.0f * out[3] * out[3] - 1.0f;
     out[7] = 2.0f * out[3] * out[4] - out[1];
-    out[8] = 2.0f * out[4] * out[4] - 1.0f;
-    out[9] = 2.0f * out[4] * out[5] - out[1];
-    out[10] = 0;
-    out[11] = 0;
     (void)x;
 }
 
@@ -293,7 +465,7 @@ static inline void skylight_sh_4_bands_0_1pct_packed_others(const
     skylight_sh_4_bands_0_1pct_packed_real *x, skylight_sh_4_bands_0_1pct_packed_real *out)
 {
     out[0] = 1.0f;
-    out[1] = (-4.57142878f) * (x[1] - 2.5f) / ((-2.0f) - x[1]) - 1.0f;
+    out[1] = (-4.85714293f) * (x[1] - 2.5f) / ((-2.5f) - x[1]) - 1.0f;
     out[2] = 2.0f * out[1] * out[1] - 1.0f;
     out[3] = 2.0f * out[1] * out[2] - out[1];
     out[4] = 2.0f * out[2] * out[2] - 1.0f;
@@ -301,19 +473,32 @@ static inline void skylight_sh_4_bands_0_1pct_packed_others(const
     (void)x;
 }
 
-/* cos(m azimuth) and sin(m azimuth) for m < bands, by doubling. */
+/* cos(m azimuth) and sin(m azimuth), m < bands, each times the m-th power
+   of `radius`, by doubling. */
 static inline void skylight_sh_4_bands_0_1pct_packed_waves(skylight_sh_4_bands_0_1pct_packed_real
-    azimuth, skylight_sh_4_bands_0_1pct_packed_real *cosines,
-    skylight_sh_4_bands_0_1pct_packed_real *sines)
+    azimuth, skylight_sh_4_bands_0_1pct_packed_real radius,
+    skylight_sh_4_bands_0_1pct_packed_real *cosines, skylight_sh_4_bands_0_1pct_packed_real *sines)
 {
     cosines[0] = 1.0f;
-    cosines[1] = cosf(azimuth);
-    sines[1] = sinf(azimuth);
+    cosines[1] = radius * cosf(azimuth);
+    sines[1] = radius * sinf(azimuth);
     cosines[2] = cosines[1] * cosines[1] - sines[1] * sines[1];
     sines[2] = sines[1] * cosines[1] + cosines[1] * sines[1];
     cosines[3] = cosines[1] * cosines[2] - sines[1] * sines[2];
     sines[0] = 0.0f;
     sines[3] = sines[1] * cosines[2] + cosines[1] * sines[2];
+}
+
+/* The sine of the sun's zenith angle, whose powers the sums of order m
+   lack. */
+static inline skylight_sh_4_bands_0_1pct_packed_real skylight_sh_4_bands_0_1pct_packed_sine(const
+    skylight_sh_4_bands_0_1pct_packed_real *x)
+{
+    const float part_1 = x[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_SUN] *
+        x[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_SUN];
+    return x[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_SUN] + x[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_SUN] *
+        (part_1 * ((-0.166666597f) + part_1 * (0.00833306555f + part_1 * ((-0.000198095426f) +
+        part_1 * 2.60563934e-06f))));
 }
 
 /* The zonal window's factor for the degree `share` * bands (Habel et al.
@@ -335,8 +520,8 @@ static inline void skylight_sh_4_bands_0_1pct_packed_functions(int axis, double 
 {
     if (axis == 0) {
         out[0] = 1.0;
-        const double part_1 = 5.0 - v;
-        const double part_2 = 4.366197723675814 * (v - 0.0) / part_1;
+        const double part_1 = (-14.0) - v * v;
+        const double part_2 = (-13.347972567941833) * (v * v - 0.0) / part_1;
         out[1] = part_2 - 1.0;
         const double part_3 = 2.0 * out[1];
         out[2] = part_3 * out[1] - 1.0;
@@ -350,25 +535,19 @@ static inline void skylight_sh_4_bands_0_1pct_packed_functions(int axis, double 
         out[6] = part_7 * out[3] - 1.0;
         const double part_8 = 2.0 * out[3];
         out[7] = part_8 * out[4] - out[1];
-        const double part_9 = 2.0 * out[4];
-        out[8] = part_9 * out[4] - 1.0;
-        const double part_10 = 2.0 * out[4];
-        out[9] = part_10 * out[5] - out[1];
         slopes[0] = 0.0;
-        slopes[1] = 4.366197723675814 / part_1 - part_2 * -1.0 / part_1;
+        slopes[1] = (-13.347972567941833) * (v + v) / part_1 - part_2 * -(v + v) / part_1;
         slopes[2] = 2.0 * slopes[1] * out[1] + part_3 * slopes[1];
         slopes[3] = 2.0 * slopes[1] * out[2] + part_4 * slopes[2] - slopes[1];
         slopes[4] = 2.0 * slopes[2] * out[2] + part_5 * slopes[2];
         slopes[5] = 2.0 * slopes[2] * out[3] + part_6 * slopes[3] - slopes[1];
         slopes[6] = 2.0 * slopes[3] * out[3] + part_7 * slopes[3];
         slopes[7] = 2.0 * slopes[3] * out[4] + part_8 * slopes[4] - slopes[1];
-        slopes[8] = 2.0 * slopes[4] * out[4] + part_9 * slopes[4];
-        slopes[9] = 2.0 * slopes[4] * out[5] + part_10 * slopes[5] - slopes[1];
     }
     if (axis == 1) {
         out[0] = 1.0;
-        const double part_1 = (-2.0) - v;
-        const double part_2 = (-4.5714285714285712) * (v - 2.5) / part_1;
+        const double part_1 = (-2.5) - v;
+        const double part_2 = (-4.8571428571428568) * (v - 2.5) / part_1;
         out[1] = part_2 - 1.0;
         const double part_3 = 2.0 * out[1];
         out[2] = part_3 * out[1] - 1.0;
@@ -379,7 +558,7 @@ static inline void skylight_sh_4_bands_0_1pct_packed_functions(int axis, double 
         const double part_6 = 2.0 * out[2];
         out[5] = part_6 * out[3] - out[1];
         slopes[0] = 0.0;
-        slopes[1] = (-4.5714285714285712) / part_1 - part_2 * -1.0 / part_1;
+        slopes[1] = (-4.8571428571428568) / part_1 - part_2 * -1.0 / part_1;
         slopes[2] = 2.0 * slopes[1] * out[1] + part_3 * slopes[1];
         slopes[3] = 2.0 * slopes[1] * out[2] + part_4 * slopes[2] - slopes[1];
         slopes[4] = 2.0 * slopes[2] * out[2] + part_5 * slopes[2];
@@ -388,72 +567,212 @@ static inline void skylight_sh_4_bands_0_1pct_packed_functions(int axis, double 
     (void)v;
 }
 
-/* What all weights share, then its slopes after the axes. */
-static inline void skylight_sh_4_bands_0_1pct_packed_scale_slopes(const double *x, double *out)
+/* The factors, then their slopes after each axis. */
+static inline void skylight_sh_4_bands_0_1pct_packed_factor_slopes(const double *x, double *out)
 {
-    const double part_1 = 4.0453000000000001 * x[1] - 4.9710000000000001;
-    const double part_2 = 0.44444444444444442 - x[1] * 0.0083333333333333332;
-    const double part_3 = 3.1415926535897931 - 2.0 * x[0];
+    const double part_1 = 4045.3000000000002 * x[1] - 4971.0;
+    const double part_2 = 0.88888888888888884 - x[1] * 0.016666666666666666;
+    const double part_3 = 1.5707963267948966 - x[0];
     const double chi = part_2 * part_3;
     const double square = chi * chi;
-    const double part_4 = 105.0 - 10.0 * square;
-    const double tan_above = chi * part_4;
-    const double part_5 = 2.4192 - 0.2155 * x[1];
-    const double part_6 = 45.0 - square;
-    const double tan_below = 105.0 - square * part_6;
-    const double zenith = part_1 * tan_above + part_5 * tan_below;
-    const double a = 0.1787 * x[1] + (-1.4630000000000001);
-    const double b = (-0.35539999999999999) * x[1] + 0.42749999999999999;
-    const double part_7 = 0.25 + b * 0.03125;
-    const double up = 1.0 + b * part_7;
+    const double part_4 = 105.0 - square;
+    const double part_5 = 945.0 - square * part_4;
+    const double part_6 = chi * part_5;
+    const double part_7 = 2419.1999999999998 - 215.5 * x[1];
+    const double part_8 = 420.0 - 15.0 * square;
+    const double below = 945.0 - square * part_8;
+    const double zenith = part_1 * part_6 + part_7 * below;
+    const double part_9 = 0.1787 * x[1] + (-1.4630000000000001);
+    const double part_10 = (-0.35539999999999999) * x[1] + 0.42749999999999999;
+    const double part_11 = 0.25 + part_10 * 0.03125;
+    const double up = 1.0 + part_10 * part_11;
     const double up2 = up * up;
-    const double up4 = up2 * up2;
-    const double part_8 = 1.0 + a * up4;
-    const double part_9 = tan_below * part_8;
-    const double c = (-0.022700000000000001) * x[1] + 5.3250999999999999;
-    const double d = 0.1206 * x[1] + (-2.5771000000000002);
-    const double y = d * x[0];
-    const double part_10 = 0.125 + y * 0.0078125;
-    const double halo = 1.0 + y * part_10;
+    const double part_12 = up2 * up2;
+    const double part_13 = 1.0 + part_9 * part_12;
+    const double part_14 = (-0.022700000000000001) * x[1] + 5.3250999999999999;
+    const double part_15 = 0.1206 * x[1] + (-2.5771000000000002);
+    const double y = part_15 * x[0] * 0.25;
+    const double part_16 = 0.0076543250999999996 + y * 0.00084900787100000003;
+    const double part_17 = 0.041223317699999998 + y * part_16;
+    const double part_18 = 0.16651516699999999 + y * part_17;
+    const double part_19 = 0.49997509099999998 + y * part_18;
+    const double part_20 = 0.99999845399999998 + y * part_19;
+    const double halo = 0.99999998400000001 + y * part_20;
     const double halo2 = halo * halo;
     const double halo4 = halo2 * halo2;
-    const double halo8 = halo4 * halo4;
-    const double e = (-0.067000000000000004) * x[1] + 0.37030000000000002;
+    const double part_21 = (-0.067000000000000004) * x[1] + 0.37030000000000002;
     const double z = x[0] * x[0];
-    const double part_11 = 0.041666666666666664 - z * 0.0013888888888888889;
-    const double part_12 = 0.5 - z * part_11;
-    const double cosine = 1.0 - z * part_12;
-    const double part_13 = cosine * cosine;
-    const double part_14 = 1.0 + c * halo8 + e * part_13;
-    const double part_15 = part_9 * part_14;
-    out[0] = 1000.0 * zenith / part_15;
-    const double part_16 = part_2 * -2.0;
-    const double part_17 = part_16 * chi + chi * part_16;
-    const double part_18 = -(part_17 * part_6 + square * -part_17);
-    const double part_19 = d * part_10 + y * (d * 0.0078125);
-    const double part_20 = part_19 * halo + halo * part_19;
-    const double part_21 = part_20 * halo2 + halo2 * part_20;
-    const double part_22 = x[0] + x[0];
-    const double part_23 = -(part_22 * part_12 + z * -(part_22 * part_11 + z * -(part_22 *
-        0.0013888888888888889)));
-    out[1] = 1000.0 * (part_1 * (part_16 * part_4 + chi * -(10.0 * part_17)) + part_5 * part_18) /
-        part_15 - out[0] * (part_18 * part_8 * part_14 + part_9 * (c * (part_21 * halo4 + halo4 *
-        part_21) + e * (part_23 * cosine + cosine * part_23))) / part_15;
-    const double part_24 = -0.0083333333333333332 * part_3;
-    const double part_25 = part_24 * chi + chi * part_24;
-    const double part_26 = -(part_25 * part_6 + square * -part_25);
-    const double part_27 = (-0.35539999999999999) * part_7 + b * ((-0.35539999999999999) * 0.03125);
-    const double part_28 = part_27 * up + up * part_27;
-    const double part_29 = 0.1206 * x[0];
-    const double part_30 = part_29 * part_10 + y * (part_29 * 0.0078125);
-    const double part_31 = part_30 * halo + halo * part_30;
-    const double part_32 = part_31 * halo2 + halo2 * part_31;
-    out[2] = 1000.0 * (4.0453000000000001 * tan_above + part_1 * (part_24 * part_4 + chi * -(10.0 *
-        part_25)) + (-0.2155 * tan_below + part_5 * part_26)) / part_15 - out[0] * ((part_26 *
-        part_8 + tan_below * (0.1787 * up4 + a * (part_28 * up2 + up2 * part_28))) * part_14 +
-        part_9 * ((-0.022700000000000001) * halo8 + c * (part_32 * halo4 + halo4 * part_32) +
-        (-0.067000000000000004) * part_13)) / part_15;
+    const double part_22 = 0.5 - z * 0.03125;
+    const double cosine = 1.0 - z * part_22;
+    const double cosine2 = cosine * cosine;
+    const double part_23 = 1.0 + part_14 * halo4 + part_21 * cosine2;
+    const double shape_y = part_13 * part_23;
+    const double part_24 = below * shape_y;
+    const double part_25 = 0.0027499999999999998 * x[1] + (-0.042139999999999997);
+    const double part_26 = part_25 * x[1] + 0.15346000000000001;
+    const double part_27 = (-0.0061000000000000004) * x[1] + 0.089700000000000002;
+    const double part_28 = part_26 * x[0] + (part_27 * x[1] + (-0.26756000000000002));
+    const double part_29 = 0.0031700000000000001 * x[1] + (-0.041529999999999997);
+    const double part_30 = part_28 * x[0] + (part_29 * x[1] + 0.066699999999999995);
+    const double y_zenith = part_30 * x[0] + (0.0051599999999999997 * x[1] + 0.26688000000000001);
+    const double part_31 = part_24 * y_zenith;
+    const double part_32 = 0.0025000000000000001 * x[1] + 0.73319999999999996;
+    const double part_33 = (-0.00040000000000000002) * x[1] + 0.21249999999999999;
+    const double part_34 = (-0.064100000000000004) * x[1] + (-0.89890000000000003);
+    const double y_2 = part_34 * x[0] * 0.25;
+    const double part_35 = 0.0076543250999999996 + y_2 * 0.00084900787100000003;
+    const double part_36 = 0.041223317699999998 + y_2 * part_35;
+    const double part_37 = 0.16651516699999999 + y_2 * part_36;
+    const double part_38 = 0.49997509099999998 + y_2 * part_37;
+    const double part_39 = 0.99999845399999998 + y_2 * part_38;
+    const double halo_2 = 0.99999998400000001 + y_2 * part_39;
+    const double halo2_2 = halo_2 * halo_2;
+    const double halo4_2 = halo2_2 * halo2_2;
+    const double part_40 = (-0.0033) * x[1] + 0.045199999999999997;
+    const double z_2 = x[0] * x[0];
+    const double part_41 = 0.5 - z_2 * 0.03125;
+    const double cosine_2 = 1.0 - z_2 * part_41;
+    const double cosine2_2 = cosine_2 * cosine_2;
+    const double part_42 = 1.0 + part_33 * halo4_2 + part_40 * cosine2_2;
+    const double shape_x = part_32 * part_42;
+    const double part_43 = part_31 * shape_x;
+    const double one = zenith / part_43;
+    const double part_44 = 0.00166 * x[1] + (-0.02903);
+    const double part_45 = part_44 * x[1] + 0.11693000000000001;
+    const double part_46 = (-0.0037499999999999999) * x[1] + 0.063769999999999993;
+    const double part_47 = part_45 * x[0] + (part_46 * x[1] + (-0.21196000000000001));
+    const double part_48 = 0.0020899999999999998 * x[1] + (-0.03202);
+    const double part_49 = part_47 * x[0] + (part_48 * x[1] + 0.060519999999999997);
+    const double x_zenith = part_49 * x[0] + (0.0039399999999999999 * x[1] + 0.25885999999999998);
+    const double part_50 = one * x_zenith;
+    const double part_51 = 0.0099299999999999996 * x[1] + 0.73440000000000005;
+    const double part_52 = (-0.0079000000000000008) * x[1] + 0.2102;
+    const double part_53 = (-0.0441) * x[1] + (-1.6536999999999999);
+    const double y_3 = part_53 * x[0] * 0.25;
+    const double part_54 = 0.0076543250999999996 + y_3 * 0.00084900787100000003;
+    const double part_55 = 0.041223317699999998 + y_3 * part_54;
+    const double part_56 = 0.16651516699999999 + y_3 * part_55;
+    const double part_57 = 0.49997509099999998 + y_3 * part_56;
+    const double part_58 = 0.99999845399999998 + y_3 * part_57;
+    const double halo_3 = 0.99999998400000001 + y_3 * part_58;
+    const double halo2_3 = halo_3 * halo_3;
+    const double halo4_3 = halo2_3 * halo2_3;
+    const double part_59 = (-0.0109) * x[1] + 0.052900000000000003;
+    const double part_60 = 1.0 + part_52 * halo4_3 + part_59 * cosine2_2;
+    const double shape_z = part_51 * part_60;
+    const double of_x = part_50 * shape_z;
+    out[1] = 3.7389855999999999 * of_x;
+    const double part_61 = one * y_zenith;
+    const double of_y = part_61 * shape_x;
+    const double part_62 = one * shape_z;
+    const double of_s = part_62 * shape_x;
+    out[2] = (-0.49853140000000001) * of_s;
+    out[0] = out[1] + (-1.0386070999999999) * of_y + out[2];
+    out[4] = (-1.0108219999999999) * of_x;
+    out[5] = 0.041556000000000003 * of_s;
+    out[3] = out[4] + 1.8344548000000001 * of_y + out[5];
+    out[7] = (-1.0015818000000001) * of_x;
+    out[8] = 1.0572252 * of_s;
+    out[6] = out[7] + (-1.2612511) * of_y + out[8];
+    const double part_63 = part_2 * -1.0;
+    const double part_64 = part_63 * chi + chi * part_63;
+    const double part_65 = -(part_64 * part_8 + square * -(15.0 * part_64));
+    const double part_66 = part_15 * 0.25;
+    const double part_67 = part_66 * part_20 + y * (part_66 * part_19 + y * (part_66 * part_18 + y *
+        (part_66 * part_17 + y * (part_66 * part_16 + y * (part_66 * 0.00084900787100000003)))));
+    const double part_68 = part_67 * halo + halo * part_67;
+    const double part_69 = x[0] + x[0];
+    const double part_70 = -(part_69 * part_22 + z * -(part_69 * 0.03125));
+    const double part_71 = (part_26 * x[0] + part_28) * x[0] + part_30;
+    const double part_72 = part_34 * 0.25;
+    const double part_73 = part_72 * part_39 + y_2 * (part_72 * part_38 + y_2 * (part_72 * part_37 +
+        y_2 * (part_72 * part_36 + y_2 * (part_72 * part_35 + y_2 * (part_72 *
+        0.00084900787100000003)))));
+    const double part_74 = part_73 * halo_2 + halo_2 * part_73;
+    const double part_75 = x[0] + x[0];
+    const double part_76 = -(part_75 * part_41 + z_2 * -(part_75 * 0.03125));
+    const double part_77 = part_76 * cosine_2 + cosine_2 * part_76;
+    const double part_78 = part_32 * (part_33 * (part_74 * halo2_2 + halo2_2 * part_74) + part_40 *
+        part_77);
+    const double part_79 = (part_1 * (part_63 * part_5 + chi * -(part_64 * part_4 + square *
+        -part_64)) + part_7 * part_65) / part_43 - one * (((part_65 * shape_y + below * (part_13 *
+        (part_14 * (part_68 * halo2 + halo2 * part_68) + part_21 * (part_70 * cosine + cosine *
+        part_70)))) * y_zenith + part_24 * part_71) * shape_x + part_31 * part_78) / part_43;
+    const double part_80 = part_53 * 0.25;
+    const double part_81 = part_80 * part_58 + y_3 * (part_80 * part_57 + y_3 * (part_80 * part_56 +
+        y_3 * (part_80 * part_55 + y_3 * (part_80 * part_54 + y_3 * (part_80 *
+        0.00084900787100000003)))));
+    const double part_82 = part_81 * halo_3 + halo_3 * part_81;
+    const double part_83 = part_51 * (part_52 * (part_82 * halo2_3 + halo2_3 * part_82) + part_59 *
+        part_77);
+    const double part_84 = (part_79 * x_zenith + one * ((part_45 * x[0] + part_47) * x[0] +
+        part_49)) * shape_z + part_50 * part_83;
+    out[10] = 3.7389855999999999 * part_84;
+    const double part_85 = (part_79 * y_zenith + one * part_71) * shape_x + part_61 * part_78;
+    const double part_86 = (part_79 * shape_z + one * part_83) * shape_x + part_62 * part_78;
+    out[11] = (-0.49853140000000001) * part_86;
+    out[9] = out[10] + (-1.0386070999999999) * part_85 + out[11];
+    out[13] = (-1.0108219999999999) * part_84;
+    out[14] = 0.041556000000000003 * part_86;
+    out[12] = out[13] + 1.8344548000000001 * part_85 + out[14];
+    out[16] = (-1.0015818000000001) * part_84;
+    out[17] = 1.0572252 * part_86;
+    out[15] = out[16] + (-1.2612511) * part_85 + out[17];
+    const double part_87 = -0.016666666666666666 * part_3;
+    const double part_88 = part_87 * chi + chi * part_87;
+    const double part_89 = -(part_88 * part_8 + square * -(15.0 * part_88));
+    const double part_90 = (-0.35539999999999999) * part_11 + part_10 * ((-0.35539999999999999) *
+        0.03125);
+    const double part_91 = part_90 * up + up * part_90;
+    const double part_92 = 0.1206 * x[0] * 0.25;
+    const double part_93 = part_92 * part_20 + y * (part_92 * part_19 + y * (part_92 * part_18 + y *
+        (part_92 * part_17 + y * (part_92 * part_16 + y * (part_92 * 0.00084900787100000003)))));
+    const double part_94 = part_93 * halo + halo * part_93;
+    const double part_95 = (((0.0027499999999999998 * x[1] + part_25) * x[0] +
+        ((-0.0061000000000000004) * x[1] + part_27)) * x[0] + (0.0031700000000000001 * x[1] +
+        part_29)) * x[0] + 0.0051599999999999997;
+    const double part_96 = (-0.064100000000000004) * x[0] * 0.25;
+    const double part_97 = part_96 * part_39 + y_2 * (part_96 * part_38 + y_2 * (part_96 * part_37 +
+        y_2 * (part_96 * part_36 + y_2 * (part_96 * part_35 + y_2 * (part_96 *
+        0.00084900787100000003)))));
+    const double part_98 = part_97 * halo_2 + halo_2 * part_97;
+    const double part_99 = 0.0025000000000000001 * part_42 + part_32 * ((-0.00040000000000000002) *
+        halo4_2 + part_33 * (part_98 * halo2_2 + halo2_2 * part_98) + (-0.0033) * cosine2_2);
+    const double part_100 = (4045.3000000000002 * part_6 + part_1 * (part_87 * part_5 + chi *
+        -(part_88 * part_4 + square * -part_88)) + (-215.5 * below + part_7 * part_89)) / part_43 -
+        one * (((part_89 * shape_y + below * ((0.1787 * part_12 + part_9 * (part_91 * up2 + up2 *
+        part_91)) * part_23 + part_13 * ((-0.022700000000000001) * halo4 + part_14 * (part_94 *
+        halo2 + halo2 * part_94) + (-0.067000000000000004) * cosine2))) * y_zenith + part_24 *
+        part_95) * shape_x + part_31 * part_99) / part_43;
+    const double part_101 = (-0.0441) * x[0] * 0.25;
+    const double part_102 = part_101 * part_58 + y_3 * (part_101 * part_57 + y_3 * (part_101 *
+        part_56 + y_3 * (part_101 * part_55 + y_3 * (part_101 * part_54 + y_3 * (part_101 *
+        0.00084900787100000003)))));
+    const double part_103 = part_102 * halo_3 + halo_3 * part_102;
+    const double part_104 = 0.0099299999999999996 * part_60 + part_51 * ((-0.0079000000000000008) *
+        halo4_3 + part_52 * (part_103 * halo2_3 + halo2_3 * part_103) + (-0.0109) * cosine2_2);
+    const double part_105 = (part_100 * x_zenith + one * ((((0.00166 * x[1] + part_44) * x[0] +
+        ((-0.0037499999999999999) * x[1] + part_46)) * x[0] + (0.0020899999999999998 * x[1] +
+        part_48)) * x[0] + 0.0039399999999999999)) * shape_z + part_50 * part_104;
+    out[19] = 3.7389855999999999 * part_105;
+    const double part_106 = (part_100 * y_zenith + one * part_95) * shape_x + part_61 * part_99;
+    const double part_107 = (part_100 * shape_z + one * part_104) * shape_x + part_62 * part_99;
+    out[20] = (-0.49853140000000001) * part_107;
+    out[18] = out[19] + (-1.0386070999999999) * part_106 + out[20];
+    out[22] = (-1.0108219999999999) * part_105;
+    out[23] = 0.041556000000000003 * part_107;
+    out[21] = out[22] + 1.8344548000000001 * part_106 + out[23];
+    out[25] = (-1.0015818000000001) * part_105;
+    out[26] = 1.0572252 * part_107;
+    out[24] = out[25] + (-1.2612511) * part_106 + out[26];
     (void)x;
+}
+
+/* The sine of the sun's zenith angle, then its slope. */
+static inline void skylight_sh_4_bands_0_1pct_packed_sine_slope(const double *x, double *out)
+{
+    out[0] = sin(x[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_SUN]);
+    out[1] = cos(x[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_SUN]);
 }
 
 /* 0 for a finite number, 1 for an infinity, 2 for NaN: by its bits, so that -ffast-math cannot
@@ -503,10 +822,136 @@ static inline int skylight_sh_4_bands_0_1pct_packed_inputs(const float
     return status;
 }
 
+/* Numbers side by side where the compiler has vector types: as many as the processor's registers
+   hold, and four. */
+#if defined(__GNUC__) && (defined(__SSE__) || defined(__ARM_NEON) || defined(__ALTIVEC__) || \
+                          defined(__wasm_simd128__) || defined(__loongarch_sx))
+#if defined(__AVX512F__)
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_LANES 16
+#elif defined(__AVX__)
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_LANES 8
+#else
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_LANES 4
+#endif
+#endif
+/* What is worth its place in every caller. */
+#ifdef __GNUC__
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_INLINE static inline __attribute__((always_inline))
+#else
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_INLINE static inline
+#endif
+#ifdef SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_LANES
+#ifdef __FMA__
+/* One operation for a product and a sum, which standard C may not choose by itself. */
+#include <immintrin.h>
+#endif
+typedef float skylight_sh_4_bands_0_1pct_packed_lanes __attribute__((vector_size(4 *
+    SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_LANES)));
+typedef float skylight_sh_4_bands_0_1pct_packed_four __attribute__((vector_size(16)));
+typedef int skylight_sh_4_bands_0_1pct_packed_order __attribute__((vector_size(16)));
+
+static inline skylight_sh_4_bands_0_1pct_packed_lanes skylight_sh_4_bands_0_1pct_packed_spread(float
+    v)
+{
+    const skylight_sh_4_bands_0_1pct_packed_lanes zeros = {0};
+    return zeros + v;
+}
+
+static inline skylight_sh_4_bands_0_1pct_packed_lanes skylight_sh_4_bands_0_1pct_packed_load(const
+    float *from)
+{
+    skylight_sh_4_bands_0_1pct_packed_lanes v;
+    memcpy(&v, from, sizeof v);
+    return v;
+}
+
+/* a * b + c. */
+static inline skylight_sh_4_bands_0_1pct_packed_lanes
+    skylight_sh_4_bands_0_1pct_packed_add(skylight_sh_4_bands_0_1pct_packed_lanes a,
+    skylight_sh_4_bands_0_1pct_packed_lanes b,
+                                                skylight_sh_4_bands_0_1pct_packed_lanes c)
+{
+#if defined(__FMA__) && SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_LANES == 16
+    return _mm512_fmadd_ps(a, b, c);
+#elif defined(__FMA__) && SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_LANES == 8
+    return _mm256_fmadd_ps(a, b, c);
+#else
+    return a * b + c;
+#endif
+}
+
+static inline skylight_sh_4_bands_0_1pct_packed_four
+    skylight_sh_4_bands_0_1pct_packed_spread_four(float v)
+{
+    const skylight_sh_4_bands_0_1pct_packed_four zeros = {0};
+    return zeros + v;
+}
+
+static inline skylight_sh_4_bands_0_1pct_packed_four
+    skylight_sh_4_bands_0_1pct_packed_load_four(const float *from)
+{
+    skylight_sh_4_bands_0_1pct_packed_four v;
+    memcpy(&v, from, sizeof v);
+    return v;
+}
+
+static inline skylight_sh_4_bands_0_1pct_packed_four
+    skylight_sh_4_bands_0_1pct_packed_add_four(skylight_sh_4_bands_0_1pct_packed_four a,
+    skylight_sh_4_bands_0_1pct_packed_four b,
+                                                    skylight_sh_4_bands_0_1pct_packed_four c)
+{
+#ifdef __FMA__
+    return _mm_fmadd_ps(a, b, c);
+#else
+    return a * b + c;
+#endif
+}
+
+static inline void skylight_sh_4_bands_0_1pct_packed_keep(float *to,
+    skylight_sh_4_bands_0_1pct_packed_four v)
+{
+    memcpy(to, &v, sizeof v);
+}
+
+/* Four of the eight numbers of two vectors. */
+#ifdef __clang__
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_PICK(v, w, a, b, c, d) __builtin_shufflevector(v, w, a, \
+    b, c, d)
+#else
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_PICK(v, w, a, b, c, d) \
+    skylight_sh_4_bands_0_1pct_packed_pick(v, w, a, b, c, d)
+static inline skylight_sh_4_bands_0_1pct_packed_four
+    skylight_sh_4_bands_0_1pct_packed_pick(skylight_sh_4_bands_0_1pct_packed_four v,
+    skylight_sh_4_bands_0_1pct_packed_four w, int a,
+                                                int b, int c, int d)
+{
+    const skylight_sh_4_bands_0_1pct_packed_order order = {a, b, c, d};
+    return __builtin_shuffle(v, w, order);
+}
+#endif
+#endif
+
+/* One channel's sums, from those of its classes. */
+static inline void skylight_sh_4_bands_0_1pct_packed_mix(skylight_sh_4_bands_0_1pct_packed_real
+    sums[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASSES][SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_ROOM],
+                                   int channel,
+                                       const skylight_sh_4_bands_0_1pct_packed_real *factors,
+                                   skylight_sh_4_bands_0_1pct_packed_real *mixed)
+{
+    int i;
+    int k;
+    for (i = 0; i < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WIDTH; ++i)
+        mixed[i] = factors[channel * SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASSES] * sums[0][i];
+    for (k = 1; k < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASSES; ++k)
+        for (i = 0; i < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WIDTH; ++i)
+            mixed[i] += factors[channel * SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASSES + k] *
+                sums[k][i];
+}
+
 /* Orders m >= 0 alone are stored: those of a light that is even in y at azimuth 0. */
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_FIRST_ORDER(l) 0
 
-/* Stores the weight of degree l and order m turned by the azimuth (Habel et al. 2008, eq. 4). */
+/* Stores one weight of degree l and order m turned by the azimuth. */
 static inline void skylight_sh_4_bands_0_1pct_packed_place(skylight_sh_4_bands_0_1pct_packed_real
     value, int l, int m,
                                      const skylight_sh_4_bands_0_1pct_packed_real *cosines,
@@ -515,6 +960,299 @@ static inline void skylight_sh_4_bands_0_1pct_packed_place(skylight_sh_4_bands_0
 {
     weights[l * (l + 1) - m] = (float)(value * sines[m]);
     weights[l * (l + 1) + m] = (float)(value * cosines[m]);
+}
+
+/* Stores the first `bands` bands of the channels' weights, turned by the azimuth (Habel et al.
+ * 2008,
+   eq. 4 with nothing for m < 0). */
+static inline void skylight_sh_4_bands_0_1pct_packed_store(
+    skylight_sh_4_bands_0_1pct_packed_real
+        sums[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASSES][SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_ROOM],
+        const skylight_sh_4_bands_0_1pct_packed_real *factors,
+    const skylight_sh_4_bands_0_1pct_packed_real *cosines,
+        const skylight_sh_4_bands_0_1pct_packed_real *sines, int bands,
+    float
+        weights[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CHANNELS]
+        [SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WEIGHTS])
+{
+    int channel;
+#if defined(SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_LANES) && SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BANDS > 3
+    /* In fours; each overshoot is overwritten by what follows. */
+    float plus[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BANDS],
+        minus[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BANDS + 3] = {0};
+    int m, q;
+    for (m = 0; m < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BANDS; ++m) {
+        plus[m] = cosines[m];
+        minus[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BANDS - 1 - m] = sines[m];
+    }
+    for (channel = 0; channel < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CHANNELS; ++channel) {
+        float *const w = weights[channel];
+        skylight_sh_4_bands_0_1pct_packed_four v[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_FOURS];
+        for (q = 0; q < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_FOURS; ++q) {
+            int k;
+            v[q] = factors[channel * SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASSES] *
+                skylight_sh_4_bands_0_1pct_packed_load_four(sums[0] + 4 * q);
+            for (k = 1; k < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASSES; ++k)
+                v[q] = skylight_sh_4_bands_0_1pct_packed_add_four(
+                    skylight_sh_4_bands_0_1pct_packed_spread_four(factors[channel *
+                        SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASSES + k]),
+                    skylight_sh_4_bands_0_1pct_packed_load_four(sums[k] + 4 * q), v[q]);
+        }
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BAND(l, stores) \
+    if (bands > (l)) { stores }
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_NOTHING(place, count) memset(w + (place), 0, \
+    sizeof(float) * (count));
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_MINUS(place, q, r, a, b, c, d, order) \
+    skylight_sh_4_bands_0_1pct_packed_keep(w + (place), \
+                     SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_PICK(v[q], v[r], a, b, c, d) * \
+                         skylight_sh_4_bands_0_1pct_packed_load_four(minus + \
+                             SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BANDS - 1 - (order)));
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_PLUS(place, q, r, a, b, c, d, order) \
+    skylight_sh_4_bands_0_1pct_packed_keep(w + (place), \
+        SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_PICK(v[q], v[r], a, b, c, d) * \
+                                      skylight_sh_4_bands_0_1pct_packed_load_four(plus + (order)));
+        SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_STORES(SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BAND,
+            SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_NOTHING, SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_MINUS,
+                           SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_PLUS)
+#undef SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BAND
+#undef SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_NOTHING
+#undef SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_MINUS
+#undef SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_PLUS
+    }
+#else
+    static const short columns[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BANDS] =
+        SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_COLUMNS;
+    for (channel = 0; channel < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CHANNELS; ++channel) {
+        skylight_sh_4_bands_0_1pct_packed_real v[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WIDTH];
+        int l, m;
+        skylight_sh_4_bands_0_1pct_packed_mix(sums, channel, factors, v);
+        for (l = 0; l < bands; ++l) {
+            float *const w = weights[channel] + l * (l + 1);
+            const int column = columns[l];
+            for (m = 1; m <= l; ++m)
+                w[-m] = column < 0 ? 0.0f : (float)(v[column + m] * sines[m]);
+            for (m = 0; m <= l; ++m)
+                w[m] = column < 0 ? 0.0f : (float)(v[column + m] * cosines[m]);
+        }
+    }
+#endif
+    (void)cosines;
+    (void)sines;
+}
+
+#ifdef SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_LANES
+
+/* Vectors that the first `count` numbers of a row take, and those that are summed at once, in
+   registers. */
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_VECTORS(count) (((count) + \
+    SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_LANES - 1) / SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_LANES)
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BLOCKS \
+    ((SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_VECTORS(SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WIDTH) + 6) / 7)
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BLOCK \
+    ((SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_VECTORS(SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WIDTH) + \
+        SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BLOCKS - 1) / SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BLOCKS)
+#endif
+
+/* The products of the functions of all axes, of one class in the order of its rows. */
+static inline void skylight_sh_4_bands_0_1pct_packed_multiply(int class_,
+    const skylight_sh_4_bands_0_1pct_packed_real *first,
+                                        const skylight_sh_4_bands_0_1pct_packed_real *others,
+                                            skylight_sh_4_bands_0_1pct_packed_real *products)
+{
+    int i;
+#ifdef SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_LANES
+    /* In fours: each overshoot is overwritten by the next line. */
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_PRODUCT(which, place, count, other) \
+    for (i = 0; i < (count) && class_ == (which); i += 4) \
+        skylight_sh_4_bands_0_1pct_packed_keep(products + (place) + i, \
+                         skylight_sh_4_bands_0_1pct_packed_load_four(first + i) * others[other]);
+#else
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_PRODUCT(which, place, count, other) \
+    for (i = 0; i < (count) && class_ == (which); ++i) products[(place) + i] = first[i] * \
+        others[other];
+#endif
+    SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_PRODUCTS(SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_PRODUCT)
+#undef SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_PRODUCT
+}
+#ifdef SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_LANES
+
+/* Rows whose sums run side by side, so that no sum waits for the one before. */
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_SIDE (SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BLOCK > 4 ? 1 : \
+    SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BLOCK > 2 ? 2 : 4)
+
+/* sums = sum over t of products[t] * row t: SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BLOCK vectors of each
+ * row, which stay in
+   registers. */
+static inline void skylight_sh_4_bands_0_1pct_packed_sum_block(const
+    skylight_sh_4_bands_0_1pct_packed_real *row, int terms,
+                                         const skylight_sh_4_bands_0_1pct_packed_real *products,
+                                             skylight_sh_4_bands_0_1pct_packed_real *sums)
+{
+    skylight_sh_4_bands_0_1pct_packed_lanes
+        total[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_SIDE][SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BLOCK];
+    int t, i, k;
+    for (i = 0; i < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_SIDE; ++i)
+        for (k = 0; k < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BLOCK; ++k) total[i][k] =
+            skylight_sh_4_bands_0_1pct_packed_spread(0);
+    for (t = 0; t + SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_SIDE <= terms; t +=
+        SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_SIDE) {
+        for (i = 0; i < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_SIDE; ++i) {
+            const skylight_sh_4_bands_0_1pct_packed_lanes product =
+                skylight_sh_4_bands_0_1pct_packed_spread(products[t + i]);
+            for (k = 0; k < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BLOCK; ++k)
+                total[i][k] = skylight_sh_4_bands_0_1pct_packed_add(
+                    product, skylight_sh_4_bands_0_1pct_packed_load(row + i *
+                        SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WIDTH + k *
+                        SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_LANES),
+                    total[i][k]);
+        }
+        row += SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_SIDE * SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WIDTH;
+    }
+    for (; t < terms; ++t) {
+        const skylight_sh_4_bands_0_1pct_packed_lanes product =
+            skylight_sh_4_bands_0_1pct_packed_spread(products[t]);
+        for (k = 0; k < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BLOCK; ++k)
+            total[0][k] = skylight_sh_4_bands_0_1pct_packed_add(product,
+                skylight_sh_4_bands_0_1pct_packed_load(row + k *
+                SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_LANES),
+                                          total[0][k]);
+        row += SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WIDTH;
+    }
+    for (k = 0; k < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BLOCK; ++k) {
+        for (i = 1; i < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_SIDE; ++i) total[0][k] += total[i][k];
+        memcpy(sums + k * SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_LANES, &total[0][k],
+            sizeof total[0][k]);
+    }
+}
+
+/* The same for one vector of each row. */
+static inline void skylight_sh_4_bands_0_1pct_packed_sum_vector(const
+    skylight_sh_4_bands_0_1pct_packed_real *row, int terms,
+                                          const skylight_sh_4_bands_0_1pct_packed_real *products,
+                                              skylight_sh_4_bands_0_1pct_packed_real *sums)
+{
+    skylight_sh_4_bands_0_1pct_packed_lanes total = skylight_sh_4_bands_0_1pct_packed_spread(0),
+        other = skylight_sh_4_bands_0_1pct_packed_spread(0);
+    int t;
+    for (t = 0; t + 2 <= terms; t += 2) {
+        total =
+            skylight_sh_4_bands_0_1pct_packed_add(skylight_sh_4_bands_0_1pct_packed_spread(products
+            [t]), skylight_sh_4_bands_0_1pct_packed_load(row), total);
+        other =
+            skylight_sh_4_bands_0_1pct_packed_add(skylight_sh_4_bands_0_1pct_packed_spread(products
+            [t + 1]),
+                                skylight_sh_4_bands_0_1pct_packed_load(row +
+                                    SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WIDTH), other);
+        row += 2 * SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WIDTH;
+    }
+    if (t < terms)
+        total =
+            skylight_sh_4_bands_0_1pct_packed_add(skylight_sh_4_bands_0_1pct_packed_spread(products
+            [t]), skylight_sh_4_bands_0_1pct_packed_load(row), total);
+    total += other;
+    memcpy(sums, &total, sizeof total);
+}
+
+/* The first `count` numbers of the sum over t of products[t] * row t. */
+static inline void skylight_sh_4_bands_0_1pct_packed_sum(const
+    skylight_sh_4_bands_0_1pct_packed_real *row, int terms,
+                                   const skylight_sh_4_bands_0_1pct_packed_real *products,
+                                       int count,
+                                   skylight_sh_4_bands_0_1pct_packed_real *sums)
+{
+    const int vectors = SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_VECTORS(count);
+    int k = 0;
+    if (vectors >= SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BLOCK) {
+        for (; k + SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BLOCK <= vectors; k +=
+            SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BLOCK)
+            skylight_sh_4_bands_0_1pct_packed_sum_block(row + k *
+                SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_LANES, terms, products,
+                                  sums + k * SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_LANES);
+    }
+    for (; k < vectors; ++k)
+        skylight_sh_4_bands_0_1pct_packed_sum_vector(row + k *
+            SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_LANES, terms, products,
+                               sums + k * SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_LANES);
+}
+#else
+
+/* The first `count` numbers of the sum over t of products[t] * row t, four rows a pass: no
+   reduction, so that it vectorises. */
+static inline void skylight_sh_4_bands_0_1pct_packed_sum(const
+    skylight_sh_4_bands_0_1pct_packed_real *row, int terms,
+                                   const skylight_sh_4_bands_0_1pct_packed_real *products,
+                                       int count,
+                                   skylight_sh_4_bands_0_1pct_packed_real *sums)
+{
+    int t, k;
+    for (k = 0; k < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_ROOM; ++k) sums[k] = 0;
+    for (t = 0; t + 4 <= terms; t += 4) {
+        const skylight_sh_4_bands_0_1pct_packed_real a = products[t], b = products[t + 1];
+        const skylight_sh_4_bands_0_1pct_packed_real c = products[t + 2], d = products[t + 3];
+        for (k = 0; k < count; ++k)
+            sums[k] += (a * row[k] + b * row[k + SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WIDTH]) +
+                       (c * row[k + 2 * SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WIDTH] + d * row[k + 3 *
+                           SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WIDTH]);
+        row += 4 * SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WIDTH;
+    }
+    for (; t < terms; ++t) {
+        for (k = 0; k < count; ++k) sums[k] += products[t] * row[k];
+        row += SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WIDTH;
+    }
+}
+#endif
+
+/* The sums of one class's rows, one a term, for the first `bands` bands. */
+static inline void skylight_sh_4_bands_0_1pct_packed_sum_class(const
+    skylight_sh_4_bands_0_1pct_packed_real *rows, int class_,
+                                         const skylight_sh_4_bands_0_1pct_packed_real *first,
+                                         const skylight_sh_4_bands_0_1pct_packed_real *others,
+                                             int bands,
+                                         skylight_sh_4_bands_0_1pct_packed_real *sums)
+{
+    static const unsigned short starts[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASSES] =
+        SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_STARTS;
+    static const unsigned short counts[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASSES] =
+        SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_COUNTS;
+    static const unsigned short places[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASSES] =
+        SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_PLACES;
+    static const unsigned short widths[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BANDS] =
+        SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WIDTHS;
+    const skylight_sh_4_bands_0_1pct_packed_real *const row = rows + (int)starts[class_] *
+        SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WIDTH;
+    skylight_sh_4_bands_0_1pct_packed_real
+        products[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_PRODUCTS_ROOM];
+    skylight_sh_4_bands_0_1pct_packed_multiply(class_, first, others, products);
+    if (bands == SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BANDS) {
+        skylight_sh_4_bands_0_1pct_packed_sum(row, counts[class_], products + places[class_],
+            SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WIDTH, sums);
+    } else {
+        memset(sums, 0, sizeof *sums * SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_ROOM);
+        skylight_sh_4_bands_0_1pct_packed_sum(row, counts[class_], products + places[class_],
+            widths[bands - 1], sums);
+    }
+}
+
+/* The same in double precision, all bands: what derivatives need, whose terms cancel. */
+static inline void skylight_sh_4_bands_0_1pct_packed_sum_rows_double(
+    const skylight_sh_4_bands_0_1pct_packed_real *rows, const double *first, const double *others,
+    double sums[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASSES][SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WIDTH])
+{
+    static const unsigned char
+        lengths[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASSES][SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_OTHERS]
+        = SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_LENGTHS;
+    int c, i, k, other;
+    for (c = 0; c < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASSES; ++c) {
+        for (k = 0; k < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WIDTH; ++k) sums[c][k] = 0.0;
+        for (other = 0; other < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_OTHERS; ++other) {
+            for (i = 0; i < (int)lengths[c][other]; ++i) {
+                const double product = first[i] * others[other];
+                for (k = 0; k < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WIDTH; ++k) sums[c][k] += product
+                    * (double)rows[k];
+                rows += SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WIDTH;
+            }
+        }
+    }
 }
 
 /* Reads the stream: whole numbers as Rice codes, low bit of each byte first. */
@@ -584,7 +1322,7 @@ static inline void
     for (i = 0; i < used; ++i) profile[i] = (int)skylight_sh_4_bands_0_1pct_packed_fixed(b, 5);
 }
 
-/* The length of the next run, by that of the same channel and product at the weight before. */
+/* The length of the next run, by that of the same class and product at the weight before. */
 static inline int
     skylight_sh_4_bands_0_1pct_packed_next_length(skylight_sh_4_bands_0_1pct_packed_bits *b,
     signed char *length)
@@ -606,36 +1344,34 @@ static const signed char
     skylight_sh_4_bands_0_1pct_packed_run_profile[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_RUNS] =
     SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_RUN_PROFILE;
 static const signed char
-    skylight_sh_4_bands_0_1pct_packed_channel_profile[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CHANNELS] =
-    SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CHANNEL_PROFILE;
+    skylight_sh_4_bands_0_1pct_packed_class_profile[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASSES] =
+    SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASS_PROFILE;
 
-/* Reads the stream once, forward, and stores the first `bands` bands. */
-static inline void skylight_sh_4_bands_0_1pct_packed_combine(const
-    skylight_sh_4_bands_0_1pct_packed_real *first,
-                                       const skylight_sh_4_bands_0_1pct_packed_real *others,
-                                       const skylight_sh_4_bands_0_1pct_packed_real *cosines,
-                                       const skylight_sh_4_bands_0_1pct_packed_real *sines,
-                                           int bands,
-                                       float
-                                           weights[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CHANNELS]
-                                           [SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WEIGHTS])
+/* Reads the stream once, forward: the sums of the first `bands` bands. */
+static inline void skylight_sh_4_bands_0_1pct_packed_sum_stream(
+    const skylight_sh_4_bands_0_1pct_packed_real *first,
+        const skylight_sh_4_bands_0_1pct_packed_real *others, int bands,
+    skylight_sh_4_bands_0_1pct_packed_real
+        sums[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASSES][SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_ROOM])
 {
     signed char
-        lengths[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CHANNELS][SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_RUNS];
-    int profile[32], i, l, m, channel, other;
+        lengths[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASSES][SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_RUNS];
+    int profile[32], i, l, m, c, other, column = 0;
     skylight_sh_4_bands_0_1pct_packed_bits bits = skylight_sh_4_bands_0_1pct_packed_open();
     memset(lengths, 0, sizeof lengths);
     memset(profile, 0, sizeof profile);
+    memset(sums, 0, sizeof(skylight_sh_4_bands_0_1pct_packed_real) *
+        SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASSES * SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_ROOM);
     for (l = 0; l < bands; ++l) {
         skylight_sh_4_bands_0_1pct_packed_next_profile(&bits, profile);
-        for (m = SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_FIRST_ORDER(l); m <= l; ++m) {
-            for (channel = 0; channel < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CHANNELS; ++channel) {
+        for (m = SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_FIRST_ORDER(l); m <= l; ++m, ++column) {
+            for (c = 0; c < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASSES; ++c) {
                 skylight_sh_4_bands_0_1pct_packed_real value = 0;
                 for (other = 0; other < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_RUNS; ++other) {
                     const int level = skylight_sh_4_bands_0_1pct_packed_run_profile[other] +
-                                      skylight_sh_4_bands_0_1pct_packed_channel_profile[channel];
+                        skylight_sh_4_bands_0_1pct_packed_class_profile[c];
                     const int length = skylight_sh_4_bands_0_1pct_packed_next_length(&bits,
-                        &lengths[channel][other]);
+                        &lengths[c][other]);
                     skylight_sh_4_bands_0_1pct_packed_real sum = 0;
                     for (i = 0; i < length; ++i) {
                         const int number = skylight_sh_4_bands_0_1pct_packed_next_number(&bits,
@@ -644,39 +1380,79 @@ static inline void skylight_sh_4_bands_0_1pct_packed_combine(const
                     }
                     value += sum * others[other];
                 }
-                skylight_sh_4_bands_0_1pct_packed_place(value *
-                    SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_STEP, l, m, cosines, sines,
-                                  weights[channel]);
+                sums[c][column] = value * SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_STEP;
             }
         }
     }
 }
 
-/* The same in double precision, all bands: what derivatives need, whose terms cancel. */
-static inline void skylight_sh_4_bands_0_1pct_packed_combine_double(
+/* Reads the stream once, forward, into rows: of each class one for each product of functions. */
+static inline void skylight_sh_4_bands_0_1pct_packed_unpack_rows(float *rows)
+{
+    static const unsigned char
+        sizes[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASSES][SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_OTHERS] =
+        SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_LENGTHS;
+    unsigned short
+        starts[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASSES][SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_RUNS];
+    signed char
+        lengths[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASSES][SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_RUNS];
+    int profile[32], i, l, m, c, other, column = 0, row = 0;
+    skylight_sh_4_bands_0_1pct_packed_bits bits = skylight_sh_4_bands_0_1pct_packed_open();
+    memset(lengths, 0, sizeof lengths);
+    memset(profile, 0, sizeof profile);
+    for (c = 0; c < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASSES; ++c) {
+        for (other = 0; other < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_OTHERS; ++other) {
+            if (other < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_RUNS) starts[c][other] = (unsigned
+                short)row;
+            row += sizes[c][other];
+        }
+    }
+    for (i = 0; i < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_UNPACKED; ++i) rows[i] = 0.0f;
+    for (l = 0; l < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BANDS; ++l) {
+        skylight_sh_4_bands_0_1pct_packed_next_profile(&bits, profile);
+        for (m = SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_FIRST_ORDER(l); m <= l; ++m, ++column) {
+            for (c = 0; c < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASSES; ++c) {
+                for (other = 0; other < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_RUNS; ++other) {
+                    const int level = skylight_sh_4_bands_0_1pct_packed_run_profile[other] +
+                        skylight_sh_4_bands_0_1pct_packed_class_profile[c];
+                    const int length = skylight_sh_4_bands_0_1pct_packed_next_length(&bits,
+                        &lengths[c][other]);
+                    float *to = rows + (int)starts[c][other] *
+                        SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WIDTH + column;
+                    for (i = 0; i < length; ++i) {
+                        const int number = skylight_sh_4_bands_0_1pct_packed_next_number(&bits,
+                            profile[i] + level);
+                        *to = (float)number * SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_STEP;
+                        to += SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WIDTH;
+                    }
+                }
+            }
+        }
+    }
+}
+
+/* The sums in double precision, all bands: what derivatives need, whose terms cancel. */
+static inline void skylight_sh_4_bands_0_1pct_packed_sum_stream_double(
     const double *first, const double *others,
-        const skylight_sh_4_bands_0_1pct_packed_real *cosines,
-    const skylight_sh_4_bands_0_1pct_packed_real *sines,
-        float
-        weights[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CHANNELS]
-        [SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WEIGHTS])
+        double
+        sums[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASSES][SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WIDTH])
 {
     signed char
-        lengths[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CHANNELS][SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_RUNS];
-    int profile[32], i, l, m, channel, other;
+        lengths[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASSES][SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_RUNS];
+    int profile[32], i, l, m, c, other, column = 0;
     skylight_sh_4_bands_0_1pct_packed_bits bits = skylight_sh_4_bands_0_1pct_packed_open();
     memset(lengths, 0, sizeof lengths);
     memset(profile, 0, sizeof profile);
     for (l = 0; l < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BANDS; ++l) {
         skylight_sh_4_bands_0_1pct_packed_next_profile(&bits, profile);
-        for (m = SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_FIRST_ORDER(l); m <= l; ++m) {
-            for (channel = 0; channel < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CHANNELS; ++channel) {
+        for (m = SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_FIRST_ORDER(l); m <= l; ++m, ++column) {
+            for (c = 0; c < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASSES; ++c) {
                 double value = 0.0;
                 for (other = 0; other < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_RUNS; ++other) {
                     const int level = skylight_sh_4_bands_0_1pct_packed_run_profile[other] +
-                                      skylight_sh_4_bands_0_1pct_packed_channel_profile[channel];
+                        skylight_sh_4_bands_0_1pct_packed_class_profile[c];
                     const int length = skylight_sh_4_bands_0_1pct_packed_next_length(&bits,
-                        &lengths[channel][other]);
+                        &lengths[c][other]);
                     double sum = 0.0;
                     for (i = 0; i < length; ++i) {
                         const int number = skylight_sh_4_bands_0_1pct_packed_next_number(&bits,
@@ -685,38 +1461,30 @@ static inline void skylight_sh_4_bands_0_1pct_packed_combine_double(
                     }
                     value += sum * others[other];
                 }
-                skylight_sh_4_bands_0_1pct_packed_place((skylight_sh_4_bands_0_1pct_packed_real)(
-                    value * (double)SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_STEP), l, m,
-                                  cosines, sines, weights[channel]);
+                sums[c][column] = value * (double)SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_STEP;
             }
         }
     }
 }
 
-/* What becomes of the first `bands` bands once they are stored; the others become 0. */
+/* What becomes of the first `bands` bands once they are stored. */
 static inline void skylight_sh_4_bands_0_1pct_packed_finish(int bands, int lights,
-    const skylight_sh_4_bands_0_1pct_packed_real *cosines,
-                                      const skylight_sh_4_bands_0_1pct_packed_real *sines,
                                       float
                                           weights[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CHANNELS]
                                           [SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WEIGHTS])
 {
-    if (bands < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BANDS) {
-        int channel, i;
-        for (channel = 0; channel < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CHANNELS; ++channel)
-            for (i = bands * bands; i < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WEIGHTS; ++i)
-                weights[channel][i] = 0.0f;
-    }
+    (void)bands;
     (void)lights;
-    (void)cosines;
-    (void)sines;
+    (void)weights;
 }
 
 /* Evaluates the first `bands` bands (1 to SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BANDS, clamped like an
  * input) and zeroes the
-   rest; returns the status. */
-static inline int skylight_sh_4_bands_0_1pct_packed_evaluate(const float
-    inputs[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_AXES], float azimuth,
+   rest; returns the status. `rows` are the table's; those of a packed table may be missing. */
+static inline int skylight_sh_4_bands_0_1pct_packed_evaluate(const
+    skylight_sh_4_bands_0_1pct_packed_real *rows,
+                                       const float inputs[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_AXES],
+                                           float azimuth,
                                        int bands,
                                        float
                                            weights[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CHANNELS]
@@ -726,8 +1494,15 @@ static inline int skylight_sh_4_bands_0_1pct_packed_evaluate(const float
         first[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_FIRST],
         others[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_OTHERS];
     skylight_sh_4_bands_0_1pct_packed_real cosines[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BANDS],
-        sines[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BANDS], scale;
-    int i, status = skylight_sh_4_bands_0_1pct_packed_inputs(inputs, azimuth, x);
+        sines[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BANDS];
+    skylight_sh_4_bands_0_1pct_packed_real
+        sums[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASSES][SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_ROOM];
+    skylight_sh_4_bands_0_1pct_packed_real factors[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CHANNELS *
+        SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASSES];
+    skylight_sh_4_bands_0_1pct_packed_real light = SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_EXPOSURE,
+        radius = 1;
+    skylight_sh_4_bands_0_1pct_packed_real early[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_EARLY];
+    int i, all, status = skylight_sh_4_bands_0_1pct_packed_inputs(inputs, azimuth, x);
     if (status == 2) {
         memset(weights, 0, sizeof(float) * SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CHANNELS *
             SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WEIGHTS);
@@ -737,46 +1512,105 @@ static inline int skylight_sh_4_bands_0_1pct_packed_evaluate(const float
         bands = bands < 1 ? 1 : SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BANDS;
         status = 1;
     }
-    scale = skylight_sh_4_bands_0_1pct_packed_scale(x) *
-        (skylight_sh_4_bands_0_1pct_packed_real)SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_EXPOSURE;
+    /* First what the library computes: calls keep no registers. */
+    radius = skylight_sh_4_bands_0_1pct_packed_sine(x);
+    skylight_sh_4_bands_0_1pct_packed_waves((skylight_sh_4_bands_0_1pct_packed_real)azimuth, radius,
+        cosines, sines);
     skylight_sh_4_bands_0_1pct_packed_first(x, first);
     skylight_sh_4_bands_0_1pct_packed_others(x, others);
-    for (i = 0; i < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_OTHERS; ++i) others[i] *= scale;
-    skylight_sh_4_bands_0_1pct_packed_waves((skylight_sh_4_bands_0_1pct_packed_real)azimuth,
-        cosines, sines);
-    skylight_sh_4_bands_0_1pct_packed_combine(first, others, cosines, sines, bands, weights);
-    skylight_sh_4_bands_0_1pct_packed_finish(bands, 1, cosines, sines, weights);
+    skylight_sh_4_bands_0_1pct_packed_begin_factors(x, early);
+    all = bands;
+    if (!rows) skylight_sh_4_bands_0_1pct_packed_sum_stream(first, others, all, sums);
+    if (rows)
+        skylight_sh_4_bands_0_1pct_packed_sum_class(rows, 0, first, others, all, sums[0]);
+    /* Between sums: what has begun above waits for itself, and there is more to do meanwhile. */
+    skylight_sh_4_bands_0_1pct_packed_end_factors(x, early, factors);
+    for (i = 0; i < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CHANNELS *
+        SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASSES; ++i) factors[i] *= light;
+    if (rows)
+    {
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASS(k) \
+    skylight_sh_4_bands_0_1pct_packed_sum_class(rows, k, first, others, all, sums[k]);
+        SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_OTHER_CLASSES(SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASS)
+#undef SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASS
+    }
+    skylight_sh_4_bands_0_1pct_packed_store(sums, factors, cosines, sines, all, weights);
+    skylight_sh_4_bands_0_1pct_packed_finish(bands, 1, weights);
+    if (bands < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BANDS) {
+        int channel;
+        for (channel = 0; channel < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CHANNELS; ++channel)
+            for (i = bands * bands; i < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WEIGHTS; ++i)
+                weights[channel][i] = 0.0f;
+    }
     return status;
+}
+
+/* One of many suns by itself. */
+static inline int skylight_sh_4_bands_0_1pct_packed_evaluate_one(const
+    skylight_sh_4_bands_0_1pct_packed_real *rows,
+                                           const float *const
+                                               inputs[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_AXES],
+                                           const float *azimuths, int sun,
+                                           float
+                                               weights[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CHANNELS]
+                                               [SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WEIGHTS])
+{
+    float given[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_AXES];
+    int axis;
+    for (axis = 0; axis < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_AXES; ++axis) given[axis] =
+        inputs[axis][sun];
+    return skylight_sh_4_bands_0_1pct_packed_evaluate(rows, given,
+        azimuths ? azimuths[sun] : SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_AZIMUTH,
+                                SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BANDS, weights);
 }
 
 /* Evaluates `count` suns from arrays, one an axis, and one of azimuths (or none, where the table
    fixes it); returns the largest status. */
 static inline int skylight_sh_4_bands_0_1pct_packed_evaluate_batch(
-    int count, const float *const inputs[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_AXES],
-        const float *azimuths,
-    float
+    const skylight_sh_4_bands_0_1pct_packed_real *rows, int count,
+        const float *const inputs[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_AXES],
+    const float *azimuths, float
         (*weights)[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CHANNELS]
         [SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WEIGHTS])
 {
-    int s, axis, worst = 0;
-    for (s = 0; s < count; ++s) {
-        const float azimuth = azimuths ? azimuths[s] : SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_AZIMUTH;
-        float sun[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_AXES];
-        int status;
-        for (axis = 0; axis < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_AXES; ++axis) sun[axis] =
-            inputs[axis][s];
-        status = skylight_sh_4_bands_0_1pct_packed_evaluate(sun, azimuth,
-            SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BANDS, weights[s]);
+    int s = 0, status, worst = 0;
+    for (; s < count; ++s) {
+        status = skylight_sh_4_bands_0_1pct_packed_evaluate_one(rows, inputs, azimuths, s,
+            weights[s]);
         worst = status > worst ? status : worst;
+    }
+    return worst;
+}
+
+/* The same with the suns of each weight side by side: `weights` is [channels][weights][count]. */
+static inline int skylight_sh_4_bands_0_1pct_packed_evaluate_columns(const
+    skylight_sh_4_bands_0_1pct_packed_real *rows, int count,
+                                               const float *const
+                                                   inputs[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_AXES],
+                                               const float *azimuths, float *weights)
+{
+    const size_t step = count > 0 ? (size_t)count : 0;
+    int s = 0, i, status, worst = 0;
+    for (; s < count; ++s) {
+        float
+            one[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CHANNELS]
+            [SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WEIGHTS];
+        status = skylight_sh_4_bands_0_1pct_packed_evaluate_one(rows, inputs, azimuths, s, one);
+        worst = status > worst ? status : worst;
+        for (i = 0; i < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CHANNELS *
+            SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WEIGHTS; ++i)
+            weights[(size_t)i * step + (size_t)s] = one[i /
+                SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WEIGHTS][i %
+                SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WEIGHTS];
     }
     return worst;
 }
 
 /* All products of `count` numbers and `size` functions, the functions' place fastest; returns how
    many. */
-static inline int skylight_sh_4_bands_0_1pct_packed_multiply(double *products, int count,
+static inline int skylight_sh_4_bands_0_1pct_packed_multiply_double(double *products, int count,
     const double *functions,
-                                       int size)
+                                              int size)
 {
     int i, k;
     for (k = count - 1; k >= 0; --k) {
@@ -786,10 +1620,43 @@ static inline int skylight_sh_4_bands_0_1pct_packed_multiply(double *products, i
     return count * size;
 }
 
+/* The sums of all terms in double, of the axes' functions. */
+static inline void skylight_sh_4_bands_0_1pct_packed_sum_double(
+    const skylight_sh_4_bands_0_1pct_packed_real *rows,
+        double
+        functions[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_AXES][SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_MOST],
+    double sums[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASSES][SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WIDTH])
+{
+    static const int sizes[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_AXES] =
+        SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_SIZES;
+    double others[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_OTHERS];
+    int axis, count = 1;
+    others[0] = 1.0;
+    for (axis = 1; axis < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_AXES; ++axis)
+        count = skylight_sh_4_bands_0_1pct_packed_multiply_double(others, count, functions[axis],
+            sizes[axis]);
+    skylight_sh_4_bands_0_1pct_packed_sum_stream_double(functions[0], others, sums);
+    (void)rows;
+    (void)count;
+}
+
+/* One channel's sum in double, at a column. */
+static inline double skylight_sh_4_bands_0_1pct_packed_mixed_double(double
+    sums[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASSES][SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WIDTH],
+                                              int channel, int column, const double *factors)
+{
+    double sum = 0.0;
+    int k;
+    for (k = 0; k < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASSES; ++k)
+        sum += factors[channel * SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASSES + k] * sums[k][column];
+    return sum;
+}
+
 /* Evaluates all bands, and their derivatives after each axis by the product rule, in double until
    they are stored: exact inside the ranges, and beyond one those at its edge. */
 static inline int skylight_sh_4_bands_0_1pct_packed_evaluate_gradient(
-    const float inputs[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_AXES], float azimuth,
+    const skylight_sh_4_bands_0_1pct_packed_real *rows,
+        const float inputs[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_AXES], float azimuth,
     float
         weights[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CHANNELS]
         [SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WEIGHTS],
@@ -797,24 +1664,29 @@ static inline int skylight_sh_4_bands_0_1pct_packed_evaluate_gradient(
         gradient[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_AXES][SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CHANNELS]
         [SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WEIGHTS])
 {
-    static const int sizes[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_AXES] =
-        SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_SIZES;
+    static const short columns[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BANDS] =
+        SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_COLUMNS;
     double x[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_AXES],
         functions[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_AXES][SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_MOST];
-    double slopes[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_AXES][SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_MOST],
-        scale[1 + SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_AXES];
+    double slopes[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_AXES][SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_MOST];
+    double factors[1 +
+        SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_AXES][SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_FACTORS];
+    double sums[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASSES][SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WIDTH];
+    double
+        sloped[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASSES][SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WIDTH];
+    double powers[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BANDS],
+        power_slopes[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BANDS];
     skylight_sh_4_bands_0_1pct_packed_real cosines[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BANDS],
         sines[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BANDS];
-    int axis, other, i;
-    const int status = skylight_sh_4_bands_0_1pct_packed_evaluate(inputs, azimuth,
-        SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BANDS, weights);
-    if (status == 2) {
-        memset(gradient, 0,
-               sizeof(float) * SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_AXES *
-                   SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CHANNELS *
-                   SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WEIGHTS);
-        return 2;
-    }
+    int axis, channel, i, l, m, sunk = 0;
+    const int status =
+        skylight_sh_4_bands_0_1pct_packed_evaluate(rows, inputs, azimuth,
+            SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BANDS, weights);
+    memset(gradient, 0,
+           sizeof(float) * SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_AXES *
+               SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CHANNELS *
+               SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WEIGHTS);
+    if (status == 2) return 2;
     for (axis = 0; axis < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_AXES; ++axis) {
         const double low = skylight_sh_4_bands_0_1pct_packed_slope_range[axis][0];
         const double high = skylight_sh_4_bands_0_1pct_packed_slope_range[axis][1];
@@ -822,31 +1694,59 @@ static inline int skylight_sh_4_bands_0_1pct_packed_evaluate_gradient(
         x[axis] = v < low ? low : v > high ? high : v;
         skylight_sh_4_bands_0_1pct_packed_functions(axis, x[axis], functions[axis], slopes[axis]);
     }
-    skylight_sh_4_bands_0_1pct_packed_scale_slopes(x, scale);
-    for (i = 0; i < 1 + SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_AXES; ++i) scale[i] *=
-        (double)SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_EXPOSURE;
-    skylight_sh_4_bands_0_1pct_packed_waves((skylight_sh_4_bands_0_1pct_packed_real)azimuth,
-        cosines, sines);
-    for (axis = 0; axis < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_AXES; ++axis) {
-        double first[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_MOST],
-            others[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_OTHERS];
-        int count = 1;
-        others[0] = 1.0;
-        for (other = 0; other < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_AXES; ++other) {
-            double one[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_MOST];
-            for (i = 0; i < sizes[other]; ++i) {
-                one[i] = functions[other][i];
-                if (other == axis) one[i] = scale[0] * slopes[axis][i] + scale[1 + axis] * one[i];
-                if (other == 0) first[i] = one[i];
-            }
-            if (other) count = skylight_sh_4_bands_0_1pct_packed_multiply(others, count, one,
-                sizes[other]);
-        }
-        skylight_sh_4_bands_0_1pct_packed_combine_double(first, others, cosines, sines,
-            gradient[axis]);
-        skylight_sh_4_bands_0_1pct_packed_finish(SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BANDS, 0,
-            cosines, sines, gradient[axis]);
+    skylight_sh_4_bands_0_1pct_packed_factor_slopes(x, &factors[0][0]);
+    for (axis = 0; axis < 1 + SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_AXES; ++axis)
+        for (i = 0; i < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_FACTORS; ++i)
+            factors[axis][i] *= (double)SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_EXPOSURE;
+    for (m = 0; m < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BANDS; ++m) {
+        powers[m] = 1.0;
+        power_slopes[m] = 0.0;
     }
+    {
+        double sine[2];
+        skylight_sh_4_bands_0_1pct_packed_sine_slope(x, sine);
+        for (m = 1; m < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BANDS; ++m) {
+            powers[m] = powers[m - 1] * sine[0];
+            power_slopes[m] = (double)m * powers[m - 1] * sine[1];
+        }
+    }
+    skylight_sh_4_bands_0_1pct_packed_waves((skylight_sh_4_bands_0_1pct_packed_real)azimuth, 1,
+        cosines, sines);
+    skylight_sh_4_bands_0_1pct_packed_sum_double(rows, functions, sums);
+    for (axis = 0; axis < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_AXES; ++axis) {
+        double kept[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_MOST];
+        memcpy(kept, functions[axis], sizeof kept);
+        memcpy(functions[axis], slopes[axis], sizeof kept);
+        skylight_sh_4_bands_0_1pct_packed_sum_double(rows, functions, sloped);
+        memcpy(functions[axis], kept, sizeof kept);
+        for (channel = 0; channel < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CHANNELS; ++channel) {
+            float *const w = gradient[axis][channel];
+            for (l = 0; l < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BANDS; ++l) {
+                for (m = SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_FIRST_ORDER(l); m <= l && columns[l] >=
+                    0; ++m) {
+                    const int order = m < 0 ? -m : m;
+                    const int column = columns[l] + m -
+                        SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_FIRST_ORDER(l);
+                    double value =
+                        powers[order] *
+                        (skylight_sh_4_bands_0_1pct_packed_mixed_double(sloped, channel, column,
+                            factors[0]) +
+                         skylight_sh_4_bands_0_1pct_packed_mixed_double(sums, channel, column,
+                             factors[1 + axis]));
+                    if (axis == SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_SUN && !sunk)
+                        value += power_slopes[order] *
+                                 skylight_sh_4_bands_0_1pct_packed_mixed_double(sums, channel,
+                                     column, factors[0]);
+                    skylight_sh_4_bands_0_1pct_packed_place((skylight_sh_4_bands_0_1pct_packed_real)
+                        value, l, m, cosines, sines, w);
+                }
+            }
+        }
+        skylight_sh_4_bands_0_1pct_packed_finish(SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BANDS, 0,
+            gradient[axis]);
+    }
+    (void)power_slopes;
+    (void)sunk;
     return status;
 }
 
@@ -857,7 +1757,7 @@ SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_API int skylight_sh_4_bands_0_1pct_packed_weig
 {
     const float skylight_sh_4_bands_0_1pct_packed_given[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_AXES] = {
         sun_zenith, turbidity };
-    return skylight_sh_4_bands_0_1pct_packed_evaluate(skylight_sh_4_bands_0_1pct_packed_given,
+    return skylight_sh_4_bands_0_1pct_packed_evaluate(NULL, skylight_sh_4_bands_0_1pct_packed_given,
         sun_azimuth, SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BANDS, weights);
 }
 
@@ -868,7 +1768,7 @@ SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_API int skylight_sh_4_bands_0_1pct_packed_weig
 {
     const float skylight_sh_4_bands_0_1pct_packed_given[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_AXES] = {
         sun_zenith, turbidity };
-    return skylight_sh_4_bands_0_1pct_packed_evaluate(skylight_sh_4_bands_0_1pct_packed_given,
+    return skylight_sh_4_bands_0_1pct_packed_evaluate(NULL, skylight_sh_4_bands_0_1pct_packed_given,
         sun_azimuth, bands, weights);
 }
 
@@ -881,7 +1781,26 @@ SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_API int skylight_sh_4_bands_0_1pct_packed_weig
     const float *const
         skylight_sh_4_bands_0_1pct_packed_given[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_AXES] = {
         sun_zenith, turbidity };
-    return skylight_sh_4_bands_0_1pct_packed_evaluate_batch(count,
+    float skylight_sh_4_bands_0_1pct_packed_memory[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_UNPACKED];
+    if (count > 1)
+        skylight_sh_4_bands_0_1pct_packed_unpack_rows(skylight_sh_4_bands_0_1pct_packed_memory);
+    return skylight_sh_4_bands_0_1pct_packed_evaluate_batch(count > 1 ?
+        skylight_sh_4_bands_0_1pct_packed_memory : NULL, count,
+        skylight_sh_4_bands_0_1pct_packed_given, sun_azimuth, weights);
+}
+
+SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_API int skylight_sh_4_bands_0_1pct_packed_weights_columns(int
+    count, const float *sun_zenith, const float *sun_azimuth, const float *turbidity,
+    float *weights)
+{
+    const float *const
+        skylight_sh_4_bands_0_1pct_packed_given[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_AXES] = {
+        sun_zenith, turbidity };
+    float skylight_sh_4_bands_0_1pct_packed_memory[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_UNPACKED];
+    if (count > 1)
+        skylight_sh_4_bands_0_1pct_packed_unpack_rows(skylight_sh_4_bands_0_1pct_packed_memory);
+    return skylight_sh_4_bands_0_1pct_packed_evaluate_columns(count > 1 ?
+        skylight_sh_4_bands_0_1pct_packed_memory : NULL, count,
         skylight_sh_4_bands_0_1pct_packed_given, sun_azimuth, weights);
 }
 
@@ -895,9 +1814,65 @@ SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_API int skylight_sh_4_bands_0_1pct_packed_weig
 {
     const float skylight_sh_4_bands_0_1pct_packed_given[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_AXES] = {
         sun_zenith, turbidity };
-    return
-        skylight_sh_4_bands_0_1pct_packed_evaluate_gradient(skylight_sh_4_bands_0_1pct_packed_given,
-        sun_azimuth, weights, gradient);
+    return skylight_sh_4_bands_0_1pct_packed_evaluate_gradient(NULL,
+        skylight_sh_4_bands_0_1pct_packed_given, sun_azimuth, weights, gradient);
+}
+
+SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_API void skylight_sh_4_bands_0_1pct_packed_unpack(float
+    memory[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_UNPACKED])
+{
+    skylight_sh_4_bands_0_1pct_packed_unpack_rows(memory);
+}
+
+SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_API int skylight_sh_4_bands_0_1pct_packed_unpacked_weights(const
+    float memory[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_UNPACKED], float sun_zenith, float sun_azimuth,
+    float turbidity, float
+    weights[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CHANNELS][SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WEIGHTS])
+{
+    const float skylight_sh_4_bands_0_1pct_packed_given[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_AXES] = {
+        sun_zenith, turbidity };
+    return skylight_sh_4_bands_0_1pct_packed_evaluate(memory,
+        skylight_sh_4_bands_0_1pct_packed_given, sun_azimuth,
+        SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BANDS, weights);
+}
+
+SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_API int
+    skylight_sh_4_bands_0_1pct_packed_unpacked_weights_bands(const float
+    memory[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_UNPACKED], float sun_zenith, float sun_azimuth,
+    float turbidity, int bands, float
+    weights[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CHANNELS][SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WEIGHTS])
+{
+    const float skylight_sh_4_bands_0_1pct_packed_given[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_AXES] = {
+        sun_zenith, turbidity };
+    return skylight_sh_4_bands_0_1pct_packed_evaluate(memory,
+        skylight_sh_4_bands_0_1pct_packed_given, sun_azimuth, bands, weights);
+}
+
+SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_API int
+    skylight_sh_4_bands_0_1pct_packed_unpacked_weights_batch(const float
+    memory[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_UNPACKED], int count, const float *sun_zenith,
+    const float *sun_azimuth, const float *turbidity,
+    float
+    (*weights)[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CHANNELS]
+    [SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WEIGHTS])
+{
+    const float *const
+        skylight_sh_4_bands_0_1pct_packed_given[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_AXES] = {
+        sun_zenith, turbidity };
+    return skylight_sh_4_bands_0_1pct_packed_evaluate_batch(memory, count,
+        skylight_sh_4_bands_0_1pct_packed_given, sun_azimuth, weights);
+}
+
+SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_API int
+    skylight_sh_4_bands_0_1pct_packed_unpacked_weights_columns(const float
+    memory[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_UNPACKED], int count, const float *sun_zenith,
+    const float *sun_azimuth, const float *turbidity, float *weights)
+{
+    const float *const
+        skylight_sh_4_bands_0_1pct_packed_given[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_AXES] = {
+        sun_zenith, turbidity };
+    return skylight_sh_4_bands_0_1pct_packed_evaluate_columns(memory, count,
+        skylight_sh_4_bands_0_1pct_packed_given, sun_azimuth, weights);
 }
 
 /* The dominant light's direction, a unit vector: where the linear part of the weights, summed over

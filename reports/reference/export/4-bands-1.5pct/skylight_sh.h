@@ -31,14 +31,14 @@
  *   Define SKYLIGHT_SH_4_BANDS_1_5PCT_EXPOSURE before this file (where it holds the table) to
  *   multiply all weights (1 by default).
  *
- * Accuracy, as shipped: E_mean 1.39 %, E_max 3.73 % of the least luminance of the same sky, at
+ * Accuracy, as shipped: E_mean 1.45 %, E_max 4.11 % of the least luminance of the same sky, at
  * azimuth 0.
  * The expansion rings: the least value it takes, over all directions and measured sets, is -12.5 %
  * of its largest in the same set; the window below tames it.
- * Memory: 3261 bytes of constants, laid out for speed.
+ * Memory: 1492 bytes of constants, laid out for speed.
  *
  * Provenance
- *   skylight-sh 0.1.0, config preetham 7738be1e848979ca, table 4-bands-1.5pct
+ *   skylight-sh 0.1.0, config preetham 50c449acd9f31f25, table 4-bands-1.5pct
  */
 #ifdef __cplusplus
 #if __cplusplus < 201103L && !defined(_MSC_VER)
@@ -61,7 +61,7 @@ SKYLIGHT_SH_4_BANDS_1_5PCT_IMPLEMENTATION beside it in one."
 #endif
 
 #ifndef SKYLIGHT_SH_4_BANDS_1_5PCT_H
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_H 0xf3fb27fa
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_H 0x1ae7a7ed
 
 #include <math.h>
 #include <stdint.h>
@@ -87,8 +87,8 @@ SKYLIGHT_SH_4_BANDS_1_5PCT_IMPLEMENTATION beside it in one."
 #define SKYLIGHT_SH_4_BANDS_1_5PCT_CHANNELS 3
 #define SKYLIGHT_SH_4_BANDS_1_5PCT_AXES 2
 #define SKYLIGHT_SH_4_BANDS_1_5PCT_UNIT "cd/m2"
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_E_MEAN 1.394000e-02
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_E_MAX 3.729000e-02
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_E_MEAN 1.454000e-02
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_E_MAX 4.111000e-02
 #define SKYLIGHT_SH_4_BANDS_1_5PCT_SUN_ZENITH_MIN 0.0f
 #define SKYLIGHT_SH_4_BANDS_1_5PCT_SUN_ZENITH_MAX 1.57079637f
 #define SKYLIGHT_SH_4_BANDS_1_5PCT_TURBIDITY_MIN 2.5f
@@ -103,11 +103,14 @@ SKYLIGHT_SH_4_BANDS_1_5PCT_API int skylight_sh_4_bands_1_5pct_weights(float sun_
 SKYLIGHT_SH_4_BANDS_1_5PCT_API int skylight_sh_4_bands_1_5pct_weights_bands(float sun_zenith,
     float sun_azimuth, float turbidity, int bands,
     float weights[SKYLIGHT_SH_4_BANDS_1_5PCT_CHANNELS][SKYLIGHT_SH_4_BANDS_1_5PCT_WEIGHTS]);
-/* Evaluates `count` suns from arrays; returns the largest status. Suns in a
-   row that differ in sun_zenith and azimuth alone cost less. */
+/* Evaluates `count` suns from arrays; returns the largest status. */
 SKYLIGHT_SH_4_BANDS_1_5PCT_API int skylight_sh_4_bands_1_5pct_weights_batch(int count,
     const float *sun_zenith, const float *sun_azimuth, const float *turbidity,
     float (*weights)[SKYLIGHT_SH_4_BANDS_1_5PCT_CHANNELS][SKYLIGHT_SH_4_BANDS_1_5PCT_WEIGHTS]);
+/* The same with the suns of each weight side by side:
+   [SKYLIGHT_SH_4_BANDS_1_5PCT_CHANNELS][SKYLIGHT_SH_4_BANDS_1_5PCT_WEIGHTS][count]. */
+SKYLIGHT_SH_4_BANDS_1_5PCT_API int skylight_sh_4_bands_1_5pct_weights_columns(int count,
+    const float *sun_zenith, const float *sun_azimuth, const float *turbidity, float *weights);
 /* Evaluates all bands and their derivatives after each axis (sun_zenith,
    turbidity), per unit of the axis; beyond a range, those at its edge. */
 SKYLIGHT_SH_4_BANDS_1_5PCT_API int skylight_sh_4_bands_1_5pct_weights_gradient(float sun_zenith,
@@ -130,7 +133,7 @@ SKYLIGHT_SH_4_BANDS_1_5PCT_API void skylight_sh_4_bands_1_5pct_ground(const floa
 SKYLIGHT_SH_4_BANDS_1_5PCT_API void skylight_sh_4_bands_1_5pct_window(int bands,
     float weights[SKYLIGHT_SH_4_BANDS_1_5PCT_CHANNELS][SKYLIGHT_SH_4_BANDS_1_5PCT_WEIGHTS]);
 
-#elif SKYLIGHT_SH_4_BANDS_1_5PCT_H != 0xf3fb27fa
+#elif SKYLIGHT_SH_4_BANDS_1_5PCT_H != 0x1ae7a7ed
 #error "Another table has the prefix skylight_sh_4_bands_1_5pct_4_bands_1_5pct already: export one \
 of them under a prefix of its own."
 #endif /* SKYLIGHT_SH_4_BANDS_1_5PCT_H */
@@ -144,11 +147,13 @@ typedef float skylight_sh_4_bands_1_5pct_real;
 
 /* Functions of the first axis, in fours; products of the other axes'
    functions. */
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_FIRST 8
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_OTHERS 5
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_SIZES { 8, 5 }
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_MOST 8
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_FIRST 4
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_OTHERS 4
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_SIZES { 4, 4 }
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_MOST 4
 #define SKYLIGHT_SH_4_BANDS_1_5PCT_AZIMUTH 0.0f
+/* The axis of the sun's zenith angle. */
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_SUN 0
 /* The channels' luminance. */
 #define SKYLIGHT_SH_4_BANDS_1_5PCT_LUMINANCE { 0.212672845f, 0.715152144f, 0.0721749961f }
 /* What an even ground reflects of the weight l = 1, m = 0, and its own
@@ -164,212 +169,201 @@ static const skylight_sh_4_bands_1_5pct_real
     skylight_sh_4_bands_1_5pct_range[SKYLIGHT_SH_4_BANDS_1_5PCT_AXES][2] = { { 0.0f, 1.57079637f },
     { 2.5f, 6.0f } };
 
-/* Rows, in groups of four; a row's outputs, and those that the first 1, 2,
-   .. bands take. */
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_TERMS 24
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_GROUPS 6
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH 32
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTHS { 8, 16, 24, 32 }
-/* Of each product of the other axes' functions: how many functions of the
-   first axis it has. */
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_LENGTHS { 8, 7, 5, 2, 2 }
-/* The same: the first product's rows; of each other that has any, first
-   row, rows, place. */
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_LEADING 8
+/* Classes; a row's numbers, one a sum, and those of the first 1, 2, ..
+   bands; room for a class's sums. */
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_CLASSES 3
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_OTHER_CLASSES(CLASS) CLASS(1) CLASS(2)
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_FACTORS 9
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH 10
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTHS { 1, 3, 6, 10 }
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_ROOM 16
+/* All rows; of each class the first row, how many, and the place of its
+   first product. */
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_TERMS 28
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_STARTS { 0, 12, 19 }
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_COUNTS { 12, 7, 9 }
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PLACES { 0, 12, 20 }
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PRODUCTS_ROOM 36
+/* Of each class and product of the other axes' functions: how many
+   functions of the first axis it has. */
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_LENGTHS { { 4, 4, 3, 1 }, { 3, 3, 1, 0 }, { 4, 3, 1, 1 } }
+/* The same: of each that has any, class, place of the first product, how
+   many, the other axes' product. */
 #define SKYLIGHT_SH_4_BANDS_1_5PCT_PRODUCTS(PRODUCT) \
-    PRODUCT(8, 7, 1) \
-    PRODUCT(15, 5, 2) \
-    PRODUCT(20, 2, 3) \
-    PRODUCT(22, 2, 4)
-/* Where a row's outputs go: for each band, by channel, degree, order and
-   column. */
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_STORES(BAND, NOTHING, ZONAL, ONE, FOUR) \
-    BAND(0, ZONAL(0, 0, 0) ZONAL(1, 0, 1) ZONAL(2, 0, 2)) \
-    BAND(1, ZONAL(0, 1, 3) ONE(0, 1, 1, 4) ZONAL(1, 1, 5) ONE(1, 1, 1, 6) ZONAL(2, 1, 7) ONE(2, 1, \
-        1, 8)) \
-    BAND(2, ZONAL(0, 2, 9) ONE(0, 2, 1, 10) ONE(0, 2, 2, 11) ZONAL(1, 2, 12) ONE(1, 2, 1, 13) \
-        ONE(1, 2, 2, 14) ZONAL(2, 2, 15) ONE(2, 2, 1, 16) ONE(2, 2, 2, 17)) \
-    BAND(3, FOUR(0, 3, 0, 20) FOUR(1, 3, 0, 24) FOUR(2, 3, 0, 28))
+    PRODUCT(0, 0, 4, 0) \
+    PRODUCT(0, 4, 4, 1) \
+    PRODUCT(0, 8, 3, 2) \
+    PRODUCT(0, 11, 1, 3) \
+    PRODUCT(1, 12, 3, 0) \
+    PRODUCT(1, 15, 3, 1) \
+    PRODUCT(1, 18, 1, 2) \
+    PRODUCT(2, 20, 4, 0) \
+    PRODUCT(2, 24, 3, 1) \
+    PRODUCT(2, 27, 1, 2) \
+    PRODUCT(2, 28, 1, 3)
+/* The same: of each class the first row of each polynomial, its rows, the
+   other axes' product. */
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_POLYNOMIALS(CLASS, NOTHING, POLYNOMIAL) \
+    CLASS(0, NOTHING POLYNOMIAL(0, 4, 0) POLYNOMIAL(4, 4, 1) POLYNOMIAL(8, 3, 2) POLYNOMIAL(11, 1, \
+        3)) \
+    CLASS(1, NOTHING POLYNOMIAL(12, 3, 0) POLYNOMIAL(15, 3, 1) POLYNOMIAL(18, 1, 2)) \
+    CLASS(2, NOTHING POLYNOMIAL(19, 4, 0) POLYNOMIAL(23, 3, 1) POLYNOMIAL(26, 1, 2) POLYNOMIAL(27, \
+        1, 3))
+/* Where sums go: of each degree, the first column, or -1 where it carries
+   nothing. */
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_COLUMNS { 0, 1, 3, 6 }
+/* The same for vectors of four: places, two vectors of sums and the numbers
+   of both, order. */
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_FOURS 3
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_STORES(BAND, NOTHING, MINUS, PLUS) \
+    BAND(0, PLUS(0, 0, 0, 0, 1, 2, 3, 0)) \
+    BAND(1, MINUS(1, 0, 0, 2, 1, 0, 0, 1) PLUS(2, 0, 1, 1, 2, 3, 4, 0)) \
+    BAND(2, MINUS(4, 0, 1, 5, 4, 3, 2, 2) PLUS(6, 0, 1, 3, 4, 5, 6, 0)) \
+    BAND(3, MINUS(9, 1, 2, 5, 4, 3, 2, 3) PLUS(12, 1, 2, 2, 3, 4, 5, 0))
 
-/* A row a term (functions of the other axes, then of the first): its
-   coefficient for every output. */
-static const skylight_sh_4_bands_1_5pct_real skylight_sh_4_bands_1_5pct_rows[768] = {
-    2.3245585f, 2.6417532f, 3.30502224f, 1.79743505f, 0.926050067f, 2.28847837f, 0.716328144f,
-    3.21493578f, 0.589277029f, -0.362805843f, 0.738756299f, 0.515161991f, 0.0128569603f,
-    0.635395885f, 0.365124464f, 0.66700995f, 0.642988086f, 0.226039171f, 0.0f, 0.0f, -0.849594235f,
-    -0.0538070202f, 0.401888728f, 0.258594871f, -0.827798605f, 0.064735055f, 0.315520644f,
-    0.18030858f, -0.725667596f, 0.263733864f, 0.253601909f, 0.0801711082f, 0.332267284f,
-    -0.22351265f, -1.26776803f, -0.105144858f, 0.666538835f, -0.534820676f, 0.415922284f,
-    -1.45161426f, 0.100236058f, -0.792719364f, 0.336888313f, 0.507736802f, -0.70999527f,
-    0.205816627f, 0.322333217f, -0.768761039f, 0.0287743807f, 0.103314757f, 0.0f, 0.0f,
-    -0.661804795f, -0.400038481f, 0.305608511f, 0.287852526f, -0.46974051f, -0.2757864f,
-    0.203860283f, 0.185512424f, -0.245111704f, -0.137321115f, 0.0894840956f, 0.0422900915f,
-    -0.019495368f, -0.0736663342f, -0.333247066f, -0.00406193733f, -0.291700363f, -0.0316278934f,
-    -0.301628232f, -0.201272488f, -0.461631417f, 0.0744191408f, -0.371181488f, -0.106929183f,
-    0.110275269f, -0.368273616f, -0.12102747f, 0.220864892f, -0.506990075f, -0.198951483f, 0.0f,
-    0.0f, 0.176500082f, -0.204519868f, -0.184980512f, -0.0312012434f, 0.213215351f, -0.190873981f,
-    -0.181949735f, -0.0441602468f, 0.376476407f, -0.211384058f, -0.229557157f, -0.0811676979f,
-    -0.0382090807f, -0.006721735f, -0.00733911991f, 0.0167075396f, -0.0352193117f, 0.0359264612f,
-    0.0046569109f, 0.041916728f, 0.0587006807f, 0.100127459f, 0.0464804173f, -0.0926698446f,
-    0.083789587f, 0.0784130096f, -0.0622756481f, 0.094479084f, 0.141038537f, -0.0381108522f, 0.0f,
-    0.0f, 0.0724301338f, 0.165762305f, -0.051576376f, -0.0720044374f, 0.0509366989f, 0.162017584f,
-    -0.0285483599f, -0.0527586937f, 0.0538780689f, 0.191695333f, -0.0056347847f, -0.0324926376f,
-    -0.00493824482f, 0.000934839249f, 0.0597273111f, -0.00534939766f, -0.00101840496f,
-    -0.00560522079f, 0.00585401058f, 0.0349045992f, 0.035261631f, -0.0153273344f, 0.0127702951f,
-    0.00816333294f, -0.0250951052f, 0.0104044676f, 0.0166172981f, -0.0461704731f, 0.0254366398f,
-    0.0422213078f, 0.0f, 0.0f, -0.0417531729f, 0.00802218914f, 0.0363726616f, -0.00622153282f,
-    -0.0477813482f, -0.0062084198f, 0.0378130674f, 0.00229561329f, -0.0813026428f, -0.0244321823f,
-    0.0539788008f, 0.0198680162f, 0.00320124626f, 0.0019261837f, -0.0101442337f, 0.00227129459f,
-    0.00313913822f, 0.0012909174f, 0.000693202019f, -0.0132601261f, 2.16960907e-05f,
-    -0.000594258308f, -0.00221168995f, 0.00222027302f, 0.00086581707f, -0.00543487072f,
-    0.000637173653f, -0.00517392159f, -0.0118317604f, 0.00178420544f, 0.0f, 0.0f, 0.00325274467f,
-    -0.0143432617f, -0.0020468235f, 0.00561916828f, 0.00727295876f, -0.0147681236f, -0.00555694103f,
-    0.00506079197f, 0.0120162964f, -0.022816658f, -0.0103821754f, 0.00712406635f, 0.00041782856f,
-    -8.46385956e-05f, -0.000168800354f, -0.000325083733f, 0.00116348267f, -0.000342965126f,
-    0.000658631325f, 0.00110161304f, -0.00364470482f, -0.00075006485f, 0.000652313232f,
-    0.000995397568f, 3.81469727e-05f, 0.00101363659f, 0.000192761421f, 0.00367212296f,
-    -0.00241923332f, -0.00269436836f, 0.0f, 0.0f, 0.000923633575f, 0.00157344341f, -0.000867962837f,
-    0.00034737587f, 0.00122117996f, 0.0034173727f, -0.00104534626f, -0.000480413437f,
-    0.00458288193f, 0.0049046278f, -0.00361979008f, -0.00250172615f, 0.00027859211f,
-    9.77516174e-05f, -0.000445961952f, 6.53266907e-05f, 0.000153779984f, -5.96046448e-06f,
-    -1.01327896e-05f, 0.000304579735f, 8.86917114e-05f, -0.000229716301f, -0.000334739685f,
-    0.000349998474f, -0.000203371048f, -0.000267863274f, 0.000189304352f, 0.00107133389f,
-    0.00149023533f, -0.000875592232f, 0.0f, 0.0f, -0.000234127045f, -0.000641345978f,
-    0.000128149986f, 0.000421285629f, -0.000522613525f, -0.000516653061f, 0.000359416008f,
-    0.000215053558f, -0.000398278236f, 0.00262403488f, 0.000567913055f, -0.000948190689f,
-    0.700646281f, 0.644542217f, 0.488768935f, 0.700005889f, 0.259045243f, 0.763838887f,
-    0.139597535f, 0.746255159f, 0.06554389f, 0.169757605f, 0.260031819f, 0.0943664312f,
-    0.395144224f, 0.170866489f, 0.00899171829f, 0.658472061f, 0.112710238f, -0.0196385384f, 0.0f,
-    0.0f, -0.150762796f, 0.0744326115f, 0.106487632f, 0.0475478172f, 0.0119931698f, 0.0978732109f,
-    0.0361039639f, 0.00643074512f, 0.29581964f, 0.116564274f, 0.000279188156f, -0.0112453699f,
-    0.0220346451f, -0.220530391f, -0.345490217f, -0.068607688f, 0.160536766f, -0.272407174f,
-    0.0527864695f, -0.456577063f, -0.00197768211f, -0.200545311f, 0.110880017f, 0.073469758f,
-    -0.187698364f, 0.0471978188f, -0.0136481524f, -0.337105155f, 9.04798508e-05f, -0.0228362083f,
-    0.0f, 0.0f, -0.202273011f, -0.0585625172f, 0.0649405718f, 0.0443601608f, -0.11379683f,
-    -0.00854241848f, 0.00293493271f, -0.00169467926f, -0.167936563f, -0.00230467319f, -0.014051199f,
-    -0.0113624334f, -0.0560889244f, -0.00914955139f, 0.10131228f, -0.0379132032f, -0.106909394f,
-    0.00404191017f, -0.0702894926f, 0.0801875591f, -0.0179213285f, 0.0377140045f, -0.137075067f,
-    -0.046407342f, 0.0352630615f, -0.0905905962f, -0.0265444517f, -0.00447034836f, -0.0507493019f,
-    0.0163656473f, 0.0f, 0.0f, 0.0860693455f, -0.0842421055f, -0.068097353f, -0.0190422535f,
-    0.0575140715f, -0.060854435f, -0.038877964f, -0.0123388767f, -0.00621342659f, -0.0736762285f,
-    0.000858426094f, 0.00911331177f, -0.0253715515f, 0.0177789927f, 0.0900348425f, -0.00898742676f,
-    -0.0038228035f, 0.0214419365f, 0.0214202404f, 0.0766199827f, 0.0513135195f, 0.0281152725f,
-    0.0205564499f, -0.0188339949f, 0.012566328f, 0.0364836454f, 0.00426280499f, -0.00235486031f,
-    0.0581936836f, 0.0268287659f, 0.0f, 0.0f, 0.0295869112f, 0.0544577837f, -0.0112794638f,
-    -0.0149960518f, 0.0022752285f, 0.0414797068f, 0.0069038868f, -0.000222206116f, -0.0304188728f,
-    0.0335640907f, 0.0233360529f, 0.0139859915f, 0.0151354074f, -0.00122702122f, -0.0391942263f,
-    0.0114728212f, 0.00765073299f, -0.00585961342f, 0.0034058094f, -0.0391933918f, -0.00968778133f,
-    -0.00762653351f, 0.00876176357f, 0.00864803791f, -0.0122613907f, -0.000700235367f,
-    0.00737309456f, -0.0121639967f, -0.0164512396f, 0.00013589859f, 0.0f, 0.0f, -0.0212695599f,
-    -0.000798106194f, 0.0154573917f, 0.00354075432f, -0.0146731138f, -0.0102003813f, 0.00912737846f,
-    0.00507962704f, 0.000176310539f, -0.0171868801f, -0.000972509384f, 0.00166082382f,
-    -0.000194430351f, -3.65972519e-05f, -0.00229597092f, -0.00155651569f, 0.0020917654f,
-    0.000319242477f, -0.00149226189f, 0.00124084949f, -0.00959920883f, -0.00218570232f,
-    -0.00116991997f, 0.00185346603f, 0.00199377537f, -0.00345385075f, -0.00129675865f,
-    0.00844871998f, -0.00871920586f, -0.00821626186f, 0.0f, 0.0f, 0.00126099586f, -0.006711483f,
-    -0.00125849247f, 0.00279951096f, 0.00522148609f, -0.00389575958f, -0.00418484211f,
-    0.000424146652f, 0.011557579f, 9.1791153e-05f, -0.00949370861f, -0.00429058075f,
-    -0.000429868698f, -0.000288963318f, 0.00238418579f, -0.000279426575f, -0.000969290733f,
-    -6.90221786e-05f, -0.000131487846f, 0.00261592865f, 0.00256955624f, 0.000582098961f,
-    -0.000987648964f, -0.000619053841f, 0.000434875488f, 0.000660777092f, -0.00050330162f,
-    0.000476956367f, 0.00475370884f, 0.000420570374f, 0.0f, 0.0f, 0.00130808353f, 0.000806093216f,
-    -0.00114357471f, -0.000582814217f, 0.000296831131f, 0.00231993198f, -0.00025177002f,
-    -0.000793099403f, -0.00234127045f, 0.00505256653f, 0.00227546692f, -0.00088596344f,
-    -0.00388562679f, -0.0584714413f, -0.174071193f, -0.00691461563f, 0.00157678127f, -0.0567231178f,
-    -0.0184679031f, -0.187121511f, -0.0312360525f, -0.0039331913f, -0.00344371796f, -0.00868177414f,
-    -0.00433671474f, -0.0221066475f, -0.0196133852f, -0.0581848621f, -0.0405697823f, -0.0163234472f,
-    0.0f, 0.0f, 0.00522339344f, -0.00696051121f, -0.00941765308f, -0.00306427479f, 0.0330576897f,
-    -0.00997757912f, -0.0208183527f, -0.00812935829f, 0.0521473885f, -0.0243250132f, -0.0218787193f,
-    -0.00608062744f, 0.00819015503f, -0.00880730152f, 0.0592101812f, 0.0120797157f, 0.00857818127f,
-    0.00393807888f, -0.00387740135f, 0.0757216215f, 0.00135350227f, 0.012902379f, 0.00696074963f,
-    -0.00748491287f, 0.0262460709f, 0.000937104225f, -0.0162568092f, 0.0507367849f, 0.00640594959f,
-    -0.00682544708f, 0.0f, 0.0f, 0.0123289824f, 0.00171470642f, -0.00683176517f, -0.0023753643f,
-    0.0274472237f, 0.0106110573f, -0.0138566494f, -0.00733363628f, 0.0190219879f, 0.0135304928f,
-    -0.00710999966f, -0.00290107727f, -0.0112692118f, 0.0053858757f, 0.0363465548f, -0.0130372047f,
-    0.00499010086f, 0.00297021866f, 0.0154610872f, 0.0326957703f, 0.033020854f, -0.00721490383f,
-    0.0066639185f, 0.00265431404f, -0.00598990917f, 0.020652771f, 0.00816583633f, -0.003510952f,
-    0.0412524939f, 0.0159865618f, 0.0f, 0.0f, -0.00286662579f, 0.00365722179f, 0.00393462181f,
-    0.00175654888f, -0.0123800039f, 0.0125033855f, 0.01179111f, 0.00382697582f, -0.0291273594f,
-    0.0226532221f, 0.0215810537f, 0.00695705414f, -0.00422775745f, 0.00203371048f, 0.00429093838f,
-    -0.00501596928f, -0.00213932991f, -0.000246405602f, 0.000151634216f, 0.00308513641f,
-    -0.00357568264f, -0.00266861916f, -0.00348293781f, 0.00100052357f, -0.00429654121f,
-    -0.00366699696f, 0.00365209579f, -0.0018197298f, -0.00944316387f, 0.00228905678f, 0.0f, 0.0f,
-    8.42809677e-05f, -0.00392329693f, 0.000245690346f, 0.00117599964f, -0.00361502171f,
-    -0.0087171793f, 0.00213587284f, 0.00296747684f, -0.00321829319f, -0.0142083168f,
-    0.000463366508f, 0.00226378441f, 0.00278759003f, -0.00114142895f, -0.00784993172f,
-    0.00339639187f, 0.000489115715f, -0.000734806061f, -0.00117754936f, -0.00788891315f,
-    -0.00430774689f, 0.00218153f, 0.00079202652f, -0.000430822372f, 0.00121045113f, -0.00141465664f,
-    -0.00156271458f, -0.000822305679f, -0.00438690186f, -0.00398588181f, 0.0f, 0.0f, 0.00104320049f,
-    0.00119042397f, -0.00070810318f, -0.000365495682f, 0.00295555592f, 0.000188946724f,
-    -0.00274550915f, -0.000693440437f, 0.00535202026f, 0.000148415565f, -0.00544047356f,
-    -0.00225687027f, 0.00978624821f, 0.0056180954f, 0.000553488731f, 0.0058618784f, 0.00480878353f,
-    0.00119924545f, 0.00135159492f, -0.00668668747f, 0.00101804733f, -0.0056040287f, 0.00295329094f,
-    0.00109624863f, -0.00783014297f, -8.60691071e-05f, -0.000214338303f, -0.0161247253f,
-    -0.000721096992f, 0.00110542774f, 0.0f, 0.0f, -0.00744366646f, -0.00232219696f, 0.000640630722f,
-    0.000709891319f, -0.00771188736f, -0.00255417824f, -0.000618338585f, 3.80277634e-05f,
-    -0.0141569376f, -0.00372886658f, 0.000618934631f, 0.000542283058f, 0.00368058681f,
-    5.4359436e-05f, 0.00405073166f, 0.00276398659f, 0.00438427925f, 0.00117623806f, 0.00206494331f,
-    0.00755262375f, 0.00142407417f, -0.00066280365f, 0.00317144394f, 0.0011664629f, 0.00265085697f,
-    0.00187408924f, 0.000192523003f, 0.00905406475f, 0.0022251606f, 0.000535011292f, 0.0f, 0.0f,
-    -0.000981211662f, -0.000988483429f, 0.000833034515f, 0.000933527946f, 0.00284874439f,
-    0.000294804573f, 0.000138998032f, 0.00023317337f, 0.00688862801f, 0.0023458004f,
-    0.000671982765f, 0.000172257423f, 0.00196051598f, 0.00110316277f, 0.00068461895f,
-    0.00188171864f, 0.000730156898f, 0.001126647f, 0.000107884407f, 0.000916004181f,
-    0.000236153603f, 0.000231027603f, 0.000655293465f, 2.38418579e-07f, 0.000128865242f,
-    0.000198960304f, -0.000197291374f, 0.000303864479f, 0.000305652618f, 0.000159621239f, 0.0f,
-    0.0f, -0.000804901123f, -6.31809235e-06f, 8.01086426e-05f, 2.25305557e-05f, -0.000830054283f,
-    0.000151157379f, -3.34978104e-05f, -9.39369202e-05f, -0.000903367996f, 8.34465027e-05f,
-    0.00029528141f, 6.15119934e-05f, 0.000195741653f, -0.000536799431f, 0.000541210175f,
-    0.000187754631f, 0.000527501106f, -0.000261187553f, -4.76837158e-06f, 0.000660538673f,
-    0.000113368034f, 2.47955322e-05f, 0.000462889671f, -4.25577164e-05f, 0.000453591347f,
-    6.74724579e-05f, -0.000295042992f, 0.000514745712f, 0.000207304955f, -3.31401825e-05f, 0.0f,
-    0.0f, -7.21216202e-05f, 1.43051147e-05f, 3.36170197e-05f, 2.57492065e-05f, 0.000593066216f,
-    0.000126600266f, -0.000177502632f, -0.000169992447f, 0.000524401665f, 0.000271439552f,
-    -1.2755394e-05f, -4.11272049e-05f
+/* Of each class, a row a term (functions of the other axes, then of the
+   first): its number for every sum. */
+static const skylight_sh_4_bands_1_5pct_real skylight_sh_4_bands_1_5pct_rows[286] = {
+    2.71040106f, 2.21457624f, 1.31018353f, -0.310016394f, 1.19046986f, 0.82920146f, -1.2067374f,
+    0.110787988f, 0.796072245f, 0.464537144f, -0.214500308f, -0.53629148f, -0.262619495f,
+    -0.661050558f, -0.695635319f, -0.125845194f, -0.250629544f, -0.864281774f, -0.483259082f,
+    -0.0633563995f, -0.123710871f, 0.0490233898f, -0.142820835f, 0.406554222f, 0.0468790531f,
+    -0.107944727f, 0.543100357f, 0.474311113f, 0.0246398449f, -0.0768945217f, -0.01090765f,
+    0.0243959427f, -0.0204782486f, 0.000343322754f, 0.0384020805f, -0.0260457993f, -0.187459469f,
+    0.00149726868f, 0.0368623734f, -0.0291352272f, 0.592686653f, 0.67969799f, 0.252008319f,
+    0.302089214f, 0.294166207f, 0.0666921139f, -0.0715994835f, 0.142163515f, 0.116531491f,
+    0.0440397263f, -0.177408934f, -0.225189805f, -0.122986078f, -0.145807028f, -0.197898149f,
+    -0.089569211f, -0.0389567614f, -0.191851854f, -0.143724799f, -0.0568027496f, 0.0154614449f,
+    0.053403616f, 0.0174629688f, 0.106897354f, 0.0734930038f, 0.0145258904f, 0.135542631f,
+    0.150027752f, 0.0577664375f, 0.0111656189f, 0.0107035637f, -0.00164270401f, 0.0139074326f,
+    -0.0417165756f, -0.00288200378f, 0.00980424881f, -0.0869288445f, -0.0512828827f,
+    -0.00444889069f, 0.00830221176f, -0.12764287f, -0.120387316f, -0.0677478313f, 0.000476837158f,
+    -0.0817141533f, -0.0745601654f, 0.090960741f, -0.0371508598f, -0.0833613873f, -0.0390868187f,
+    0.0114440918f, 0.0287585258f, 0.0480792522f, 0.0414178371f, 0.0777142048f, 0.0268032551f,
+    0.0311288834f, 0.0746672153f, 0.0535130501f, 0.0212008953f, 0.00970220566f, -0.00480747223f,
+    0.00734949112f, -0.0351443291f, -0.00932502747f, 0.00454711914f, -0.0514945984f, -0.0369114876f,
+    -0.0113916397f, 0.00250720978f, 0.0283374786f, 0.0101742744f, 0.0184755325f, -0.0304989815f,
+    0.0104284286f, 0.00786304474f, -0.0324325562f, -0.0108270645f, 0.0053358078f, 0.00500297546f,
+    0.00573265553f, -0.00377237797f, 0.0448396206f, -0.0110813379f, 0.034864068f, 0.0256044865f,
+    0.00292313099f, -0.00119817257f, 0.017878294f, 0.00793588161f, -0.00405550003f, -0.0168176889f,
+    -0.0089546442f, -0.0260821581f, -0.0206507444f, -0.00131392479f, -0.0151230097f, -0.0229116678f,
+    -0.00718426704f, 0.000542998314f, -0.00256371498f, 0.00423550606f, -0.00171470642f,
+    0.0140964985f, 0.00346565247f, -0.000641107559f, 0.0132713318f, 0.00808429718f, 0.0023162365f,
+    9.20295715e-05f, -0.00433158875f, -0.0158979893f, 0.0257229805f, -0.0219676495f, 0.0215063095f,
+    0.0250680447f, -0.00759720802f, 0.000328421593f, 0.0204731226f, 0.0119658709f, 0.00132381916f,
+    -0.00741410255f, -0.00425553322f, -0.0172823668f, -0.0137568712f, 0.0012267828f, -0.0123443604f,
+    -0.0193798542f, -0.00538444519f, 0.0017683506f, -0.00317072868f, 0.00208330154f,
+    -0.00621962547f, 0.0110547543f, -0.00169157982f, -0.00502204895f, 0.0113165379f, 0.00824928284f,
+    -0.00159549713f, -0.00404453278f, -0.0016169548f, -0.00586652756f, 0.00533890724f,
+    -0.00914335251f, 0.00363516808f, 0.00705862045f, -0.00569343567f, -0.00201296806f,
+    0.00604629517f, 0.00347948074f, 0.281461835f, 0.34578228f, -0.00582933426f, 0.182797551f,
+    0.0413389206f, -0.0398960114f, -0.0215091705f, 0.0839408636f, -0.0132811069f, -0.0409332514f,
+    -0.0702319145f, -0.0637573004f, -0.0651499033f, -0.0170505047f, -0.0453517437f, -0.0383435488f,
+    -0.0136334896f, 0.00570523739f, -0.0101280212f, -0.0254098177f, 0.0214047432f, 0.025459528f,
+    0.0256717205f, 0.0150780678f, 0.0289475918f, 0.0185716152f, 0.00777602196f, 0.00637412071f,
+    0.0224938393f, 0.0122377872f, 0.0117282867f, -0.000493526459f, 0.0178642273f, -0.0187492371f,
+    -0.00190544128f, 0.017534256f, -0.0111579895f, -0.0249314308f, -0.00266361237f, 0.0166692734f,
+    0.0339357853f, 0.0701576471f, 0.00470602512f, 0.090035677f, 0.012817502f, -0.00174450874f,
+    0.0647006035f, 0.0225744247f, -0.00429975986f, -0.00530600548f, -0.0171939135f, -0.0272140503f,
+    -0.00519144535f, -0.0264155865f, -0.0101965666f, 0.00330960751f, -0.0174025297f, -0.0118442774f,
+    0.00332355499f, 0.0052806139f, 0.0093626976f, 0.0117528439f, 0.00712800026f, 0.00800251961f,
+    0.00659132004f, 0.00405621529f, 0.00435805321f, -0.000152587891f, 0.00235652924f,
+    0.00196576118f, -0.0303726196f, -0.0380153656f, 0.00381970406f, -0.018201828f, -0.000443935394f,
+    0.00708150864f, 0.0102961063f, -0.00612044334f, 0.00298571587f, 0.00461530685f, 0.00383329391f,
+    0.00160169601f, 0.000427246094f, -0.00487375259f, 0.000673770905f, 0.000695228577f,
+    -0.00770044327f, -0.000565052032f, 0.00103998184f, 0.000239849091f, 0.0f, 0.0f, 0.0f, 0.0f,
+    0.0f, 0.0f
 };
 
-/* What all weights share: the closed form preetham_zenith. */
-static inline skylight_sh_4_bands_1_5pct_real skylight_sh_4_bands_1_5pct_scale(const
-    skylight_sh_4_bands_1_5pct_real *x)
+/* What all weights share: the closed form preetham_classes. */
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_EARLY 16
+
+static inline void skylight_sh_4_bands_1_5pct_begin_factors(const skylight_sh_4_bands_1_5pct_real
+    *x, skylight_sh_4_bands_1_5pct_real *early)
 {
-    const float chi = (0.444444448f - x[1] * 0.00833333377f) * (3.14159274f - 2.0f * x[0]);
+    const float chi = (0.888888896f - x[1] * 0.0166666675f) * (1.57079637f - x[0]);
     const float square = chi * chi;
-    const float tan_above = chi * (105.0f - 10.0f * square);
-    const float tan_below = 105.0f - square * (45.0f - square);
-    const float zenith = (4.04530001f * x[1] - 4.97100019f) * tan_above + (2.41919994f -
-        0.215499997f * x[1]) * tan_below;
-    const float a = 0.1787f * x[1] + (-1.46300006f);
-    const float b = (-0.355399996f) * x[1] + 0.42750001f;
-    const float up = 1.0f + b * (0.25f + b * 0.03125f);
+    early[0] = 945.0f - square * (420.0f - 15.0f * square);
+    early[1] = (4045.30005f * x[1] - 4971.0f) * (chi * (945.0f - square * (105.0f - square))) +
+        (2419.19995f - 215.5f * x[1]) * early[0];
+    const float part_1 = (-0.355399996f) * x[1] + 0.42750001f;
+    const float up = 1.0f + part_1 * (0.25f + part_1 * 0.03125f);
     const float up2 = up * up;
-    const float up4 = up2 * up2;
-    const float c = (-0.0227000006f) * x[1] + 5.32509995f;
-    const float d = 0.1206f * x[1] + (-2.57710004f);
-    const float y = d * x[0];
-    const float halo = 1.0f + y * (0.125f + y * 0.0078125f);
-    const float halo2 = halo * halo;
-    const float halo4 = halo2 * halo2;
-    const float halo8 = halo4 * halo4;
-    const float e = (-0.0670000017f) * x[1] + 0.370299995f;
+    early[2] = 1.0f + (0.1787f * x[1] + (-1.46300006f)) * (up2 * up2);
+    early[3] = (-0.0227000006f) * x[1] + 5.32509995f;
+    const float y = (0.1206f * x[1] + (-2.57710004f)) * x[0] * 0.25f;
+    const float halo = 1.0f + y * (0.99999845f + y * (0.499975085f + y * (0.166515172f + y *
+        (0.0412233174f + y * (0.00765432511f + y * 0.000849007862f)))));
+    early[4] = halo * halo;
     const float z = x[0] * x[0];
-    const float cosine = 1.0f - z * (0.5f - z * (0.0416666679f - z * 0.00138888892f));
-    return 1000.0f * zenith / (tan_below * (1.0f + a * up4) * (1.0f + c * halo8 + e * (cosine *
-        cosine)));
+    const float cosine = 1.0f - z * (0.5f - z * 0.03125f);
+    const float cosine2 = cosine * cosine;
+    early[5] = ((-0.0670000017f) * x[1] + 0.370299995f) * cosine2;
+    early[6] = ((((0.00274999999f * x[1] + (-0.0421399996f)) * x[1] + 0.153459996f) * x[0] +
+        (((-0.00609999988f) * x[1] + 0.0896999985f) * x[1] + (-0.267560005f))) * x[0] +
+        ((0.00316999992f * x[1] + (-0.0415299982f)) * x[1] + 0.0666999966f)) * x[0] +
+        (0.00516000018f * x[1] + 0.266880006f);
+    early[7] = 0.00249999994f * x[1] + 0.733200014f;
+    early[8] = (-0.00039999999f) * x[1] + 0.212500006f;
+    const float y_2 = ((-0.0640999973f) * x[1] + (-0.898899972f)) * x[0] * 0.25f;
+    const float halo_2 = 1.0f + y_2 * (0.99999845f + y_2 * (0.499975085f + y_2 * (0.166515172f + y_2
+        * (0.0412233174f + y_2 * (0.00765432511f + y_2 * 0.000849007862f)))));
+    early[9] = halo_2 * halo_2;
+    const float z_2 = x[0] * x[0];
+    const float cosine_2 = 1.0f - z_2 * (0.5f - z_2 * 0.03125f);
+    const float cosine2_2 = cosine_2 * cosine_2;
+    early[10] = ((-0.00329999998f) * x[1] + 0.0452000014f) * cosine2_2;
+    early[11] = ((((0.00165999995f * x[1] + (-0.0290300008f)) * x[1] + 0.11693f) * x[0] +
+        (((-0.00374999992f) * x[1] + 0.0637700036f) * x[1] + (-0.211960003f))) * x[0] +
+        ((0.00209000008f * x[1] + (-0.0320199989f)) * x[1] + 0.0605200008f)) * x[0] + (0.0039400002f
+        * x[1] + 0.258859992f);
+    early[12] = 0.00992999971f * x[1] + 0.734399974f;
+    early[13] = (-0.00789999962f) * x[1] + 0.210199997f;
+    const float y_3 = ((-0.0441000015f) * x[1] + (-1.65369999f)) * x[0] * 0.25f;
+    const float halo_3 = 1.0f + y_3 * (0.99999845f + y_3 * (0.499975085f + y_3 * (0.166515172f + y_3
+        * (0.0412233174f + y_3 * (0.00765432511f + y_3 * 0.000849007862f)))));
+    early[14] = halo_3 * halo_3;
+    early[15] = ((-0.0109000001f) * x[1] + 0.0529000014f) * cosine2_2;
+    (void)x;
+    (void)early;
 }
 
-/* The functions of sun_zenith (change of variable: reciprocal); 0 where
-   there is none. */
+/* The rest of it. */
+static inline void skylight_sh_4_bands_1_5pct_end_factors(const skylight_sh_4_bands_1_5pct_real *x,
+    const skylight_sh_4_bands_1_5pct_real *early, skylight_sh_4_bands_1_5pct_real *out)
+{
+    const float halo4 = early[4] * early[4];
+    const float shape_y = early[2] * (1.0f + early[3] * halo4 + early[5]);
+    const float halo4_2 = early[9] * early[9];
+    const float shape_x = early[7] * (1.0f + early[8] * halo4_2 + early[10]);
+    const float one = early[1] / (early[0] * shape_y * early[6] * shape_x);
+    const float halo4_3 = early[14] * early[14];
+    const float shape_z = early[12] * (1.0f + early[13] * halo4_3 + early[15]);
+    const float of_x = one * early[11] * shape_z;
+    out[1] = 3.73898554f * of_x;
+    const float of_y = one * early[6] * shape_x;
+    const float of_s = one * shape_z * shape_x;
+    out[2] = (-0.498531401f) * of_s;
+    out[0] = out[1] + (-1.03860712f) * of_y + out[2];
+    out[4] = (-1.01082206f) * of_x;
+    out[5] = 0.0415560007f * of_s;
+    out[3] = out[4] + 1.83445477f * of_y + out[5];
+    out[7] = (-1.00158179f) * of_x;
+    out[8] = 1.05722523f * of_s;
+    out[6] = out[7] + (-1.26125109f) * of_y + out[8];
+    (void)x;
+    (void)early;
+}
+
+/* The functions of sun_zenith (change of variable: even); 0 where there is
+   none. */
 static inline void skylight_sh_4_bands_1_5pct_first(const skylight_sh_4_bands_1_5pct_real *x,
     skylight_sh_4_bands_1_5pct_real *out)
 {
     out[0] = 1.0f;
-    out[1] = 4.36619759f * (x[0] - 0.0f) / (5.0f - x[0]) - 1.0f;
-    out[2] = 2.0f * out[1] * out[1] - 1.0f;
-    out[3] = 2.0f * out[1] * out[2] - out[1];
-    out[4] = 2.0f * out[2] * out[2] - 1.0f;
-    out[5] = 2.0f * out[2] * out[3] - out[1];
-    out[6] = 2.0f * out[3] * out[3] - 1.0f;
-    out[7] = 2.0f * out[3] * out[4] - out[1];
+    out[1] = (-13.3479729f) * (x[0] * x[0] - 0.0f) / ((-14.0f) - x[0] * x[0]) - 1.0f;
+    out[2] = out[1] * out[1];
+    out[3] = out[1] * out[2];
     (void)x;
 }
 
@@ -379,25 +373,37 @@ static inline void skylight_sh_4_bands_1_5pct_others(const skylight_sh_4_bands_1
     skylight_sh_4_bands_1_5pct_real *out)
 {
     out[0] = 1.0f;
-    out[1] = (-4.57142878f) * (x[1] - 2.5f) / ((-2.0f) - x[1]) - 1.0f;
-    out[2] = 2.0f * out[1] * out[1] - 1.0f;
-    out[3] = 2.0f * out[1] * out[2] - out[1];
-    out[4] = 2.0f * out[2] * out[2] - 1.0f;
+    out[1] = (-4.85714293f) * (x[1] - 2.5f) / ((-2.5f) - x[1]) - 1.0f;
+    out[2] = out[1] * out[1];
+    out[3] = out[1] * out[2];
     (void)x;
 }
 
-/* cos(m azimuth) and sin(m azimuth) for m < bands, by doubling. */
+/* cos(m azimuth) and sin(m azimuth), m < bands, each times the m-th power
+   of `radius`, by doubling. */
 static inline void skylight_sh_4_bands_1_5pct_waves(skylight_sh_4_bands_1_5pct_real azimuth,
-    skylight_sh_4_bands_1_5pct_real *cosines, skylight_sh_4_bands_1_5pct_real *sines)
+    skylight_sh_4_bands_1_5pct_real radius, skylight_sh_4_bands_1_5pct_real *cosines,
+    skylight_sh_4_bands_1_5pct_real *sines)
 {
     cosines[0] = 1.0f;
-    cosines[1] = cosf(azimuth);
-    sines[1] = sinf(azimuth);
+    cosines[1] = radius * cosf(azimuth);
+    sines[1] = radius * sinf(azimuth);
     cosines[2] = cosines[1] * cosines[1] - sines[1] * sines[1];
     sines[2] = sines[1] * cosines[1] + cosines[1] * sines[1];
     cosines[3] = cosines[1] * cosines[2] - sines[1] * sines[2];
     sines[0] = 0.0f;
     sines[3] = sines[1] * cosines[2] + cosines[1] * sines[2];
+}
+
+/* The sine of the sun's zenith angle, whose powers the sums of order m
+   lack. */
+static inline skylight_sh_4_bands_1_5pct_real skylight_sh_4_bands_1_5pct_sine(const
+    skylight_sh_4_bands_1_5pct_real *x)
+{
+    const float part_1 = x[SKYLIGHT_SH_4_BANDS_1_5PCT_SUN] * x[SKYLIGHT_SH_4_BANDS_1_5PCT_SUN];
+    return x[SKYLIGHT_SH_4_BANDS_1_5PCT_SUN] + x[SKYLIGHT_SH_4_BANDS_1_5PCT_SUN] * (part_1 *
+        ((-0.166666597f) + part_1 * (0.00833306555f + part_1 * ((-0.000198095426f) + part_1 *
+        2.60563934e-06f))));
 }
 
 /* The zonal window's factor for the degree `share` * bands (Habel et al.
@@ -418,116 +424,237 @@ static inline void skylight_sh_4_bands_1_5pct_functions(int axis, double v, doub
 {
     if (axis == 0) {
         out[0] = 1.0;
-        const double part_1 = 5.0 - v;
-        const double part_2 = 4.366197723675814 * (v - 0.0) / part_1;
+        const double part_1 = (-14.0) - v * v;
+        const double part_2 = (-13.347972567941833) * (v * v - 0.0) / part_1;
         out[1] = part_2 - 1.0;
-        const double part_3 = 2.0 * out[1];
-        out[2] = part_3 * out[1] - 1.0;
-        const double part_4 = 2.0 * out[1];
-        out[3] = part_4 * out[2] - out[1];
-        const double part_5 = 2.0 * out[2];
-        out[4] = part_5 * out[2] - 1.0;
-        const double part_6 = 2.0 * out[2];
-        out[5] = part_6 * out[3] - out[1];
-        const double part_7 = 2.0 * out[3];
-        out[6] = part_7 * out[3] - 1.0;
-        const double part_8 = 2.0 * out[3];
-        out[7] = part_8 * out[4] - out[1];
+        out[2] = out[1] * out[1];
+        out[3] = out[1] * out[2];
         slopes[0] = 0.0;
-        slopes[1] = 4.366197723675814 / part_1 - part_2 * -1.0 / part_1;
-        slopes[2] = 2.0 * slopes[1] * out[1] + part_3 * slopes[1];
-        slopes[3] = 2.0 * slopes[1] * out[2] + part_4 * slopes[2] - slopes[1];
-        slopes[4] = 2.0 * slopes[2] * out[2] + part_5 * slopes[2];
-        slopes[5] = 2.0 * slopes[2] * out[3] + part_6 * slopes[3] - slopes[1];
-        slopes[6] = 2.0 * slopes[3] * out[3] + part_7 * slopes[3];
-        slopes[7] = 2.0 * slopes[3] * out[4] + part_8 * slopes[4] - slopes[1];
+        slopes[1] = (-13.347972567941833) * (v + v) / part_1 - part_2 * -(v + v) / part_1;
+        slopes[2] = slopes[1] * out[1] + out[1] * slopes[1];
+        slopes[3] = slopes[1] * out[2] + out[1] * slopes[2];
     }
     if (axis == 1) {
         out[0] = 1.0;
-        const double part_1 = (-2.0) - v;
-        const double part_2 = (-4.5714285714285712) * (v - 2.5) / part_1;
+        const double part_1 = (-2.5) - v;
+        const double part_2 = (-4.8571428571428568) * (v - 2.5) / part_1;
         out[1] = part_2 - 1.0;
-        const double part_3 = 2.0 * out[1];
-        out[2] = part_3 * out[1] - 1.0;
-        const double part_4 = 2.0 * out[1];
-        out[3] = part_4 * out[2] - out[1];
-        const double part_5 = 2.0 * out[2];
-        out[4] = part_5 * out[2] - 1.0;
+        out[2] = out[1] * out[1];
+        out[3] = out[1] * out[2];
         slopes[0] = 0.0;
-        slopes[1] = (-4.5714285714285712) / part_1 - part_2 * -1.0 / part_1;
-        slopes[2] = 2.0 * slopes[1] * out[1] + part_3 * slopes[1];
-        slopes[3] = 2.0 * slopes[1] * out[2] + part_4 * slopes[2] - slopes[1];
-        slopes[4] = 2.0 * slopes[2] * out[2] + part_5 * slopes[2];
+        slopes[1] = (-4.8571428571428568) / part_1 - part_2 * -1.0 / part_1;
+        slopes[2] = slopes[1] * out[1] + out[1] * slopes[1];
+        slopes[3] = slopes[1] * out[2] + out[1] * slopes[2];
     }
     (void)v;
 }
 
-/* What all weights share, then its slopes after the axes. */
-static inline void skylight_sh_4_bands_1_5pct_scale_slopes(const double *x, double *out)
+/* The factors, then their slopes after each axis. */
+static inline void skylight_sh_4_bands_1_5pct_factor_slopes(const double *x, double *out)
 {
-    const double part_1 = 4.0453000000000001 * x[1] - 4.9710000000000001;
-    const double part_2 = 0.44444444444444442 - x[1] * 0.0083333333333333332;
-    const double part_3 = 3.1415926535897931 - 2.0 * x[0];
+    const double part_1 = 4045.3000000000002 * x[1] - 4971.0;
+    const double part_2 = 0.88888888888888884 - x[1] * 0.016666666666666666;
+    const double part_3 = 1.5707963267948966 - x[0];
     const double chi = part_2 * part_3;
     const double square = chi * chi;
-    const double part_4 = 105.0 - 10.0 * square;
-    const double tan_above = chi * part_4;
-    const double part_5 = 2.4192 - 0.2155 * x[1];
-    const double part_6 = 45.0 - square;
-    const double tan_below = 105.0 - square * part_6;
-    const double zenith = part_1 * tan_above + part_5 * tan_below;
-    const double a = 0.1787 * x[1] + (-1.4630000000000001);
-    const double b = (-0.35539999999999999) * x[1] + 0.42749999999999999;
-    const double part_7 = 0.25 + b * 0.03125;
-    const double up = 1.0 + b * part_7;
+    const double part_4 = 105.0 - square;
+    const double part_5 = 945.0 - square * part_4;
+    const double part_6 = chi * part_5;
+    const double part_7 = 2419.1999999999998 - 215.5 * x[1];
+    const double part_8 = 420.0 - 15.0 * square;
+    const double below = 945.0 - square * part_8;
+    const double zenith = part_1 * part_6 + part_7 * below;
+    const double part_9 = 0.1787 * x[1] + (-1.4630000000000001);
+    const double part_10 = (-0.35539999999999999) * x[1] + 0.42749999999999999;
+    const double part_11 = 0.25 + part_10 * 0.03125;
+    const double up = 1.0 + part_10 * part_11;
     const double up2 = up * up;
-    const double up4 = up2 * up2;
-    const double part_8 = 1.0 + a * up4;
-    const double part_9 = tan_below * part_8;
-    const double c = (-0.022700000000000001) * x[1] + 5.3250999999999999;
-    const double d = 0.1206 * x[1] + (-2.5771000000000002);
-    const double y = d * x[0];
-    const double part_10 = 0.125 + y * 0.0078125;
-    const double halo = 1.0 + y * part_10;
+    const double part_12 = up2 * up2;
+    const double part_13 = 1.0 + part_9 * part_12;
+    const double part_14 = (-0.022700000000000001) * x[1] + 5.3250999999999999;
+    const double part_15 = 0.1206 * x[1] + (-2.5771000000000002);
+    const double y = part_15 * x[0] * 0.25;
+    const double part_16 = 0.0076543250999999996 + y * 0.00084900787100000003;
+    const double part_17 = 0.041223317699999998 + y * part_16;
+    const double part_18 = 0.16651516699999999 + y * part_17;
+    const double part_19 = 0.49997509099999998 + y * part_18;
+    const double part_20 = 0.99999845399999998 + y * part_19;
+    const double halo = 0.99999998400000001 + y * part_20;
     const double halo2 = halo * halo;
     const double halo4 = halo2 * halo2;
-    const double halo8 = halo4 * halo4;
-    const double e = (-0.067000000000000004) * x[1] + 0.37030000000000002;
+    const double part_21 = (-0.067000000000000004) * x[1] + 0.37030000000000002;
     const double z = x[0] * x[0];
-    const double part_11 = 0.041666666666666664 - z * 0.0013888888888888889;
-    const double part_12 = 0.5 - z * part_11;
-    const double cosine = 1.0 - z * part_12;
-    const double part_13 = cosine * cosine;
-    const double part_14 = 1.0 + c * halo8 + e * part_13;
-    const double part_15 = part_9 * part_14;
-    out[0] = 1000.0 * zenith / part_15;
-    const double part_16 = part_2 * -2.0;
-    const double part_17 = part_16 * chi + chi * part_16;
-    const double part_18 = -(part_17 * part_6 + square * -part_17);
-    const double part_19 = d * part_10 + y * (d * 0.0078125);
-    const double part_20 = part_19 * halo + halo * part_19;
-    const double part_21 = part_20 * halo2 + halo2 * part_20;
-    const double part_22 = x[0] + x[0];
-    const double part_23 = -(part_22 * part_12 + z * -(part_22 * part_11 + z * -(part_22 *
-        0.0013888888888888889)));
-    out[1] = 1000.0 * (part_1 * (part_16 * part_4 + chi * -(10.0 * part_17)) + part_5 * part_18) /
-        part_15 - out[0] * (part_18 * part_8 * part_14 + part_9 * (c * (part_21 * halo4 + halo4 *
-        part_21) + e * (part_23 * cosine + cosine * part_23))) / part_15;
-    const double part_24 = -0.0083333333333333332 * part_3;
-    const double part_25 = part_24 * chi + chi * part_24;
-    const double part_26 = -(part_25 * part_6 + square * -part_25);
-    const double part_27 = (-0.35539999999999999) * part_7 + b * ((-0.35539999999999999) * 0.03125);
-    const double part_28 = part_27 * up + up * part_27;
-    const double part_29 = 0.1206 * x[0];
-    const double part_30 = part_29 * part_10 + y * (part_29 * 0.0078125);
-    const double part_31 = part_30 * halo + halo * part_30;
-    const double part_32 = part_31 * halo2 + halo2 * part_31;
-    out[2] = 1000.0 * (4.0453000000000001 * tan_above + part_1 * (part_24 * part_4 + chi * -(10.0 *
-        part_25)) + (-0.2155 * tan_below + part_5 * part_26)) / part_15 - out[0] * ((part_26 *
-        part_8 + tan_below * (0.1787 * up4 + a * (part_28 * up2 + up2 * part_28))) * part_14 +
-        part_9 * ((-0.022700000000000001) * halo8 + c * (part_32 * halo4 + halo4 * part_32) +
-        (-0.067000000000000004) * part_13)) / part_15;
+    const double part_22 = 0.5 - z * 0.03125;
+    const double cosine = 1.0 - z * part_22;
+    const double cosine2 = cosine * cosine;
+    const double part_23 = 1.0 + part_14 * halo4 + part_21 * cosine2;
+    const double shape_y = part_13 * part_23;
+    const double part_24 = below * shape_y;
+    const double part_25 = 0.0027499999999999998 * x[1] + (-0.042139999999999997);
+    const double part_26 = part_25 * x[1] + 0.15346000000000001;
+    const double part_27 = (-0.0061000000000000004) * x[1] + 0.089700000000000002;
+    const double part_28 = part_26 * x[0] + (part_27 * x[1] + (-0.26756000000000002));
+    const double part_29 = 0.0031700000000000001 * x[1] + (-0.041529999999999997);
+    const double part_30 = part_28 * x[0] + (part_29 * x[1] + 0.066699999999999995);
+    const double y_zenith = part_30 * x[0] + (0.0051599999999999997 * x[1] + 0.26688000000000001);
+    const double part_31 = part_24 * y_zenith;
+    const double part_32 = 0.0025000000000000001 * x[1] + 0.73319999999999996;
+    const double part_33 = (-0.00040000000000000002) * x[1] + 0.21249999999999999;
+    const double part_34 = (-0.064100000000000004) * x[1] + (-0.89890000000000003);
+    const double y_2 = part_34 * x[0] * 0.25;
+    const double part_35 = 0.0076543250999999996 + y_2 * 0.00084900787100000003;
+    const double part_36 = 0.041223317699999998 + y_2 * part_35;
+    const double part_37 = 0.16651516699999999 + y_2 * part_36;
+    const double part_38 = 0.49997509099999998 + y_2 * part_37;
+    const double part_39 = 0.99999845399999998 + y_2 * part_38;
+    const double halo_2 = 0.99999998400000001 + y_2 * part_39;
+    const double halo2_2 = halo_2 * halo_2;
+    const double halo4_2 = halo2_2 * halo2_2;
+    const double part_40 = (-0.0033) * x[1] + 0.045199999999999997;
+    const double z_2 = x[0] * x[0];
+    const double part_41 = 0.5 - z_2 * 0.03125;
+    const double cosine_2 = 1.0 - z_2 * part_41;
+    const double cosine2_2 = cosine_2 * cosine_2;
+    const double part_42 = 1.0 + part_33 * halo4_2 + part_40 * cosine2_2;
+    const double shape_x = part_32 * part_42;
+    const double part_43 = part_31 * shape_x;
+    const double one = zenith / part_43;
+    const double part_44 = 0.00166 * x[1] + (-0.02903);
+    const double part_45 = part_44 * x[1] + 0.11693000000000001;
+    const double part_46 = (-0.0037499999999999999) * x[1] + 0.063769999999999993;
+    const double part_47 = part_45 * x[0] + (part_46 * x[1] + (-0.21196000000000001));
+    const double part_48 = 0.0020899999999999998 * x[1] + (-0.03202);
+    const double part_49 = part_47 * x[0] + (part_48 * x[1] + 0.060519999999999997);
+    const double x_zenith = part_49 * x[0] + (0.0039399999999999999 * x[1] + 0.25885999999999998);
+    const double part_50 = one * x_zenith;
+    const double part_51 = 0.0099299999999999996 * x[1] + 0.73440000000000005;
+    const double part_52 = (-0.0079000000000000008) * x[1] + 0.2102;
+    const double part_53 = (-0.0441) * x[1] + (-1.6536999999999999);
+    const double y_3 = part_53 * x[0] * 0.25;
+    const double part_54 = 0.0076543250999999996 + y_3 * 0.00084900787100000003;
+    const double part_55 = 0.041223317699999998 + y_3 * part_54;
+    const double part_56 = 0.16651516699999999 + y_3 * part_55;
+    const double part_57 = 0.49997509099999998 + y_3 * part_56;
+    const double part_58 = 0.99999845399999998 + y_3 * part_57;
+    const double halo_3 = 0.99999998400000001 + y_3 * part_58;
+    const double halo2_3 = halo_3 * halo_3;
+    const double halo4_3 = halo2_3 * halo2_3;
+    const double part_59 = (-0.0109) * x[1] + 0.052900000000000003;
+    const double part_60 = 1.0 + part_52 * halo4_3 + part_59 * cosine2_2;
+    const double shape_z = part_51 * part_60;
+    const double of_x = part_50 * shape_z;
+    out[1] = 3.7389855999999999 * of_x;
+    const double part_61 = one * y_zenith;
+    const double of_y = part_61 * shape_x;
+    const double part_62 = one * shape_z;
+    const double of_s = part_62 * shape_x;
+    out[2] = (-0.49853140000000001) * of_s;
+    out[0] = out[1] + (-1.0386070999999999) * of_y + out[2];
+    out[4] = (-1.0108219999999999) * of_x;
+    out[5] = 0.041556000000000003 * of_s;
+    out[3] = out[4] + 1.8344548000000001 * of_y + out[5];
+    out[7] = (-1.0015818000000001) * of_x;
+    out[8] = 1.0572252 * of_s;
+    out[6] = out[7] + (-1.2612511) * of_y + out[8];
+    const double part_63 = part_2 * -1.0;
+    const double part_64 = part_63 * chi + chi * part_63;
+    const double part_65 = -(part_64 * part_8 + square * -(15.0 * part_64));
+    const double part_66 = part_15 * 0.25;
+    const double part_67 = part_66 * part_20 + y * (part_66 * part_19 + y * (part_66 * part_18 + y *
+        (part_66 * part_17 + y * (part_66 * part_16 + y * (part_66 * 0.00084900787100000003)))));
+    const double part_68 = part_67 * halo + halo * part_67;
+    const double part_69 = x[0] + x[0];
+    const double part_70 = -(part_69 * part_22 + z * -(part_69 * 0.03125));
+    const double part_71 = (part_26 * x[0] + part_28) * x[0] + part_30;
+    const double part_72 = part_34 * 0.25;
+    const double part_73 = part_72 * part_39 + y_2 * (part_72 * part_38 + y_2 * (part_72 * part_37 +
+        y_2 * (part_72 * part_36 + y_2 * (part_72 * part_35 + y_2 * (part_72 *
+        0.00084900787100000003)))));
+    const double part_74 = part_73 * halo_2 + halo_2 * part_73;
+    const double part_75 = x[0] + x[0];
+    const double part_76 = -(part_75 * part_41 + z_2 * -(part_75 * 0.03125));
+    const double part_77 = part_76 * cosine_2 + cosine_2 * part_76;
+    const double part_78 = part_32 * (part_33 * (part_74 * halo2_2 + halo2_2 * part_74) + part_40 *
+        part_77);
+    const double part_79 = (part_1 * (part_63 * part_5 + chi * -(part_64 * part_4 + square *
+        -part_64)) + part_7 * part_65) / part_43 - one * (((part_65 * shape_y + below * (part_13 *
+        (part_14 * (part_68 * halo2 + halo2 * part_68) + part_21 * (part_70 * cosine + cosine *
+        part_70)))) * y_zenith + part_24 * part_71) * shape_x + part_31 * part_78) / part_43;
+    const double part_80 = part_53 * 0.25;
+    const double part_81 = part_80 * part_58 + y_3 * (part_80 * part_57 + y_3 * (part_80 * part_56 +
+        y_3 * (part_80 * part_55 + y_3 * (part_80 * part_54 + y_3 * (part_80 *
+        0.00084900787100000003)))));
+    const double part_82 = part_81 * halo_3 + halo_3 * part_81;
+    const double part_83 = part_51 * (part_52 * (part_82 * halo2_3 + halo2_3 * part_82) + part_59 *
+        part_77);
+    const double part_84 = (part_79 * x_zenith + one * ((part_45 * x[0] + part_47) * x[0] +
+        part_49)) * shape_z + part_50 * part_83;
+    out[10] = 3.7389855999999999 * part_84;
+    const double part_85 = (part_79 * y_zenith + one * part_71) * shape_x + part_61 * part_78;
+    const double part_86 = (part_79 * shape_z + one * part_83) * shape_x + part_62 * part_78;
+    out[11] = (-0.49853140000000001) * part_86;
+    out[9] = out[10] + (-1.0386070999999999) * part_85 + out[11];
+    out[13] = (-1.0108219999999999) * part_84;
+    out[14] = 0.041556000000000003 * part_86;
+    out[12] = out[13] + 1.8344548000000001 * part_85 + out[14];
+    out[16] = (-1.0015818000000001) * part_84;
+    out[17] = 1.0572252 * part_86;
+    out[15] = out[16] + (-1.2612511) * part_85 + out[17];
+    const double part_87 = -0.016666666666666666 * part_3;
+    const double part_88 = part_87 * chi + chi * part_87;
+    const double part_89 = -(part_88 * part_8 + square * -(15.0 * part_88));
+    const double part_90 = (-0.35539999999999999) * part_11 + part_10 * ((-0.35539999999999999) *
+        0.03125);
+    const double part_91 = part_90 * up + up * part_90;
+    const double part_92 = 0.1206 * x[0] * 0.25;
+    const double part_93 = part_92 * part_20 + y * (part_92 * part_19 + y * (part_92 * part_18 + y *
+        (part_92 * part_17 + y * (part_92 * part_16 + y * (part_92 * 0.00084900787100000003)))));
+    const double part_94 = part_93 * halo + halo * part_93;
+    const double part_95 = (((0.0027499999999999998 * x[1] + part_25) * x[0] +
+        ((-0.0061000000000000004) * x[1] + part_27)) * x[0] + (0.0031700000000000001 * x[1] +
+        part_29)) * x[0] + 0.0051599999999999997;
+    const double part_96 = (-0.064100000000000004) * x[0] * 0.25;
+    const double part_97 = part_96 * part_39 + y_2 * (part_96 * part_38 + y_2 * (part_96 * part_37 +
+        y_2 * (part_96 * part_36 + y_2 * (part_96 * part_35 + y_2 * (part_96 *
+        0.00084900787100000003)))));
+    const double part_98 = part_97 * halo_2 + halo_2 * part_97;
+    const double part_99 = 0.0025000000000000001 * part_42 + part_32 * ((-0.00040000000000000002) *
+        halo4_2 + part_33 * (part_98 * halo2_2 + halo2_2 * part_98) + (-0.0033) * cosine2_2);
+    const double part_100 = (4045.3000000000002 * part_6 + part_1 * (part_87 * part_5 + chi *
+        -(part_88 * part_4 + square * -part_88)) + (-215.5 * below + part_7 * part_89)) / part_43 -
+        one * (((part_89 * shape_y + below * ((0.1787 * part_12 + part_9 * (part_91 * up2 + up2 *
+        part_91)) * part_23 + part_13 * ((-0.022700000000000001) * halo4 + part_14 * (part_94 *
+        halo2 + halo2 * part_94) + (-0.067000000000000004) * cosine2))) * y_zenith + part_24 *
+        part_95) * shape_x + part_31 * part_99) / part_43;
+    const double part_101 = (-0.0441) * x[0] * 0.25;
+    const double part_102 = part_101 * part_58 + y_3 * (part_101 * part_57 + y_3 * (part_101 *
+        part_56 + y_3 * (part_101 * part_55 + y_3 * (part_101 * part_54 + y_3 * (part_101 *
+        0.00084900787100000003)))));
+    const double part_103 = part_102 * halo_3 + halo_3 * part_102;
+    const double part_104 = 0.0099299999999999996 * part_60 + part_51 * ((-0.0079000000000000008) *
+        halo4_3 + part_52 * (part_103 * halo2_3 + halo2_3 * part_103) + (-0.0109) * cosine2_2);
+    const double part_105 = (part_100 * x_zenith + one * ((((0.00166 * x[1] + part_44) * x[0] +
+        ((-0.0037499999999999999) * x[1] + part_46)) * x[0] + (0.0020899999999999998 * x[1] +
+        part_48)) * x[0] + 0.0039399999999999999)) * shape_z + part_50 * part_104;
+    out[19] = 3.7389855999999999 * part_105;
+    const double part_106 = (part_100 * y_zenith + one * part_95) * shape_x + part_61 * part_99;
+    const double part_107 = (part_100 * shape_z + one * part_104) * shape_x + part_62 * part_99;
+    out[20] = (-0.49853140000000001) * part_107;
+    out[18] = out[19] + (-1.0386070999999999) * part_106 + out[20];
+    out[22] = (-1.0108219999999999) * part_105;
+    out[23] = 0.041556000000000003 * part_107;
+    out[21] = out[22] + 1.8344548000000001 * part_106 + out[23];
+    out[25] = (-1.0015818000000001) * part_105;
+    out[26] = 1.0572252 * part_107;
+    out[24] = out[25] + (-1.2612511) * part_106 + out[26];
     (void)x;
+}
+
+/* The sine of the sun's zenith angle, then its slope. */
+static inline void skylight_sh_4_bands_1_5pct_sine_slope(const double *x, double *out)
+{
+    out[0] = sin(x[SKYLIGHT_SH_4_BANDS_1_5PCT_SUN]);
+    out[1] = cos(x[SKYLIGHT_SH_4_BANDS_1_5PCT_SUN]);
 }
 
 /* 0 for a finite number, 1 for an infinity, 2 for NaN: by its bits, so that -ffast-math cannot
@@ -575,10 +702,129 @@ static inline int skylight_sh_4_bands_1_5pct_inputs(const float
     return status;
 }
 
+/* Numbers side by side where the compiler has vector types: as many as the processor's registers
+   hold, and four. */
+#if defined(__GNUC__) && (defined(__SSE__) || defined(__ARM_NEON) || defined(__ALTIVEC__) || \
+                          defined(__wasm_simd128__) || defined(__loongarch_sx))
+#if defined(__AVX512F__)
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_LANES 16
+#elif defined(__AVX__)
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_LANES 8
+#else
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_LANES 4
+#endif
+#endif
+/* What is worth its place in every caller. */
+#ifdef __GNUC__
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_INLINE static inline __attribute__((always_inline))
+#else
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_INLINE static inline
+#endif
+#ifdef SKYLIGHT_SH_4_BANDS_1_5PCT_LANES
+#ifdef __FMA__
+/* One operation for a product and a sum, which standard C may not choose by itself. */
+#include <immintrin.h>
+#endif
+typedef float skylight_sh_4_bands_1_5pct_lanes __attribute__((vector_size(4 *
+    SKYLIGHT_SH_4_BANDS_1_5PCT_LANES)));
+typedef float skylight_sh_4_bands_1_5pct_four __attribute__((vector_size(16)));
+typedef int skylight_sh_4_bands_1_5pct_order __attribute__((vector_size(16)));
+
+static inline skylight_sh_4_bands_1_5pct_lanes skylight_sh_4_bands_1_5pct_spread(float v)
+{
+    const skylight_sh_4_bands_1_5pct_lanes zeros = {0};
+    return zeros + v;
+}
+
+static inline skylight_sh_4_bands_1_5pct_lanes skylight_sh_4_bands_1_5pct_load(const float *from)
+{
+    skylight_sh_4_bands_1_5pct_lanes v;
+    memcpy(&v, from, sizeof v);
+    return v;
+}
+
+/* a * b + c. */
+static inline skylight_sh_4_bands_1_5pct_lanes
+    skylight_sh_4_bands_1_5pct_add(skylight_sh_4_bands_1_5pct_lanes a,
+    skylight_sh_4_bands_1_5pct_lanes b,
+                                                skylight_sh_4_bands_1_5pct_lanes c)
+{
+#if defined(__FMA__) && SKYLIGHT_SH_4_BANDS_1_5PCT_LANES == 16
+    return _mm512_fmadd_ps(a, b, c);
+#elif defined(__FMA__) && SKYLIGHT_SH_4_BANDS_1_5PCT_LANES == 8
+    return _mm256_fmadd_ps(a, b, c);
+#else
+    return a * b + c;
+#endif
+}
+
+static inline skylight_sh_4_bands_1_5pct_four skylight_sh_4_bands_1_5pct_spread_four(float v)
+{
+    const skylight_sh_4_bands_1_5pct_four zeros = {0};
+    return zeros + v;
+}
+
+static inline skylight_sh_4_bands_1_5pct_four skylight_sh_4_bands_1_5pct_load_four(const float
+    *from)
+{
+    skylight_sh_4_bands_1_5pct_four v;
+    memcpy(&v, from, sizeof v);
+    return v;
+}
+
+static inline skylight_sh_4_bands_1_5pct_four
+    skylight_sh_4_bands_1_5pct_add_four(skylight_sh_4_bands_1_5pct_four a,
+    skylight_sh_4_bands_1_5pct_four b,
+                                                    skylight_sh_4_bands_1_5pct_four c)
+{
+#ifdef __FMA__
+    return _mm_fmadd_ps(a, b, c);
+#else
+    return a * b + c;
+#endif
+}
+
+static inline void skylight_sh_4_bands_1_5pct_keep(float *to, skylight_sh_4_bands_1_5pct_four v)
+{
+    memcpy(to, &v, sizeof v);
+}
+
+/* Four of the eight numbers of two vectors. */
+#ifdef __clang__
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PICK(v, w, a, b, c, d) __builtin_shufflevector(v, w, a, b, c, d)
+#else
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PICK(v, w, a, b, c, d) skylight_sh_4_bands_1_5pct_pick(v, w, a, \
+    b, c, d)
+static inline skylight_sh_4_bands_1_5pct_four
+    skylight_sh_4_bands_1_5pct_pick(skylight_sh_4_bands_1_5pct_four v,
+    skylight_sh_4_bands_1_5pct_four w, int a,
+                                                int b, int c, int d)
+{
+    const skylight_sh_4_bands_1_5pct_order order = {a, b, c, d};
+    return __builtin_shuffle(v, w, order);
+}
+#endif
+#endif
+
+/* One channel's sums, from those of its classes. */
+static inline void skylight_sh_4_bands_1_5pct_mix(skylight_sh_4_bands_1_5pct_real
+    sums[SKYLIGHT_SH_4_BANDS_1_5PCT_CLASSES][SKYLIGHT_SH_4_BANDS_1_5PCT_ROOM],
+                                   int channel, const skylight_sh_4_bands_1_5pct_real *factors,
+                                   skylight_sh_4_bands_1_5pct_real *mixed)
+{
+    int i;
+    int k;
+    for (i = 0; i < SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH; ++i)
+        mixed[i] = factors[channel * SKYLIGHT_SH_4_BANDS_1_5PCT_CLASSES] * sums[0][i];
+    for (k = 1; k < SKYLIGHT_SH_4_BANDS_1_5PCT_CLASSES; ++k)
+        for (i = 0; i < SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH; ++i)
+            mixed[i] += factors[channel * SKYLIGHT_SH_4_BANDS_1_5PCT_CLASSES + k] * sums[k][i];
+}
+
 /* Orders m >= 0 alone are stored: those of a light that is even in y at azimuth 0. */
 #define SKYLIGHT_SH_4_BANDS_1_5PCT_FIRST_ORDER(l) 0
 
-/* Stores the weight of degree l and order m turned by the azimuth (Habel et al. 2008, eq. 4). */
+/* Stores one weight of degree l and order m turned by the azimuth. */
 static inline void skylight_sh_4_bands_1_5pct_place(skylight_sh_4_bands_1_5pct_real value, int l,
     int m,
                                      const skylight_sh_4_bands_1_5pct_real *cosines,
@@ -589,174 +835,275 @@ static inline void skylight_sh_4_bands_1_5pct_place(skylight_sh_4_bands_1_5pct_r
     weights[l * (l + 1) + m] = (float)(value * cosines[m]);
 }
 
-/* sums[k] = sum over t of products[t] * row[t][k] for 4 * groups terms, four rows a pass: no
-   reduction, so that it vectorises. */
-static inline void skylight_sh_4_bands_1_5pct_sum(const skylight_sh_4_bands_1_5pct_real *row,
-    int groups,
-                                   const skylight_sh_4_bands_1_5pct_real *products, int width,
-                                   skylight_sh_4_bands_1_5pct_real *sums)
+/* Stores the first `bands` bands of the channels' weights, turned by the azimuth (Habel et al.
+ * 2008,
+   eq. 4 with nothing for m < 0). */
+static inline void skylight_sh_4_bands_1_5pct_store(
+    skylight_sh_4_bands_1_5pct_real
+        sums[SKYLIGHT_SH_4_BANDS_1_5PCT_CLASSES][SKYLIGHT_SH_4_BANDS_1_5PCT_ROOM],
+        const skylight_sh_4_bands_1_5pct_real *factors,
+    const skylight_sh_4_bands_1_5pct_real *cosines, const skylight_sh_4_bands_1_5pct_real *sines,
+        int bands,
+    float weights[SKYLIGHT_SH_4_BANDS_1_5PCT_CHANNELS][SKYLIGHT_SH_4_BANDS_1_5PCT_WEIGHTS])
 {
-    int group, k;
-    {
-        const skylight_sh_4_bands_1_5pct_real a = products[0], b = products[1], c = products[2],
-            d = products[3];
-        for (k = 0; k < width; ++k)
-            sums[k] = (a * row[k] + b * row[k + SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH]) +
-                      (c * row[k + 2 * SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH] + d * row[k + 3 *
-                          SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH]);
+    int channel;
+#if defined(SKYLIGHT_SH_4_BANDS_1_5PCT_LANES) && SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS > 3
+    /* In fours; each overshoot is overwritten by what follows. */
+    float plus[SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS], minus[SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS + 3] = {0};
+    int m, q;
+    for (m = 0; m < SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS; ++m) {
+        plus[m] = cosines[m];
+        minus[SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS - 1 - m] = sines[m];
     }
-    for (group = 1; group < groups; ++group) {
-        const skylight_sh_4_bands_1_5pct_real a = products[4 * group], b = products[4 * group + 1];
-        const skylight_sh_4_bands_1_5pct_real c = products[4 * group + 2],
-            d = products[4 * group + 3];
-        row += 4 * SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH;
-        for (k = 0; k < width; ++k)
-            sums[k] += (a * row[k] + b * row[k + SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH]) +
-                       (c * row[k + 2 * SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH] + d * row[k + 3 *
-                           SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH]);
-    }
-}
-
-/* Zeroes what carries nothing. */
-static inline void skylight_sh_4_bands_1_5pct_clear(float *weights, int count)
-{
-    int i;
-    for (i = 0; i < count; ++i) weights[i] = 0.0f;
-}
-
-/* Four orders m of one degree and channel: m >= 0 forwards, m < 0 backwards (eq. 4 with nothing
-   stored for m < 0). */
-static inline void skylight_sh_4_bands_1_5pct_place_four(const skylight_sh_4_bands_1_5pct_real
-    *sums,
-                                          const skylight_sh_4_bands_1_5pct_real *cosines,
-                                          const skylight_sh_4_bands_1_5pct_real *sines, float *plus,
-                                              float *minus)
-{
-    float forwards[4], backwards[4];
-    int k;
-    for (k = 0; k < 4; ++k) backwards[k] = (float)(sums[3 - k] * sines[3 - k]);
-    for (k = 0; k < 4; ++k) forwards[k] = (float)(sums[k] * cosines[k]);
-    for (k = 0; k < 4; ++k) minus[k] = backwards[k];
-    for (k = 0; k < 4; ++k) plus[k] = forwards[k];
-}
-
-/* Stores the first `bands` bands of the sums in the order of the weights, turned by the azimuth. */
-static inline void skylight_sh_4_bands_1_5pct_store(const skylight_sh_4_bands_1_5pct_real *sums,
-    const skylight_sh_4_bands_1_5pct_real *cosines,
-                                     const skylight_sh_4_bands_1_5pct_real *sines, int bands,
-                                     float
-                                         weights[SKYLIGHT_SH_4_BANDS_1_5PCT_CHANNELS]
-                                         [SKYLIGHT_SH_4_BANDS_1_5PCT_WEIGHTS])
-{
+    for (channel = 0; channel < SKYLIGHT_SH_4_BANDS_1_5PCT_CHANNELS; ++channel) {
+        float *const w = weights[channel];
+        skylight_sh_4_bands_1_5pct_four v[SKYLIGHT_SH_4_BANDS_1_5PCT_FOURS];
+        for (q = 0; q < SKYLIGHT_SH_4_BANDS_1_5PCT_FOURS; ++q) {
+            int k;
+            v[q] = factors[channel * SKYLIGHT_SH_4_BANDS_1_5PCT_CLASSES] *
+                skylight_sh_4_bands_1_5pct_load_four(sums[0] + 4 * q);
+            for (k = 1; k < SKYLIGHT_SH_4_BANDS_1_5PCT_CLASSES; ++k)
+                v[q] = skylight_sh_4_bands_1_5pct_add_four(
+                    skylight_sh_4_bands_1_5pct_spread_four(factors[channel *
+                        SKYLIGHT_SH_4_BANDS_1_5PCT_CLASSES + k]),
+                    skylight_sh_4_bands_1_5pct_load_four(sums[k] + 4 * q), v[q]);
+        }
 #define SKYLIGHT_SH_4_BANDS_1_5PCT_BAND(l, stores) \
     if (bands > (l)) { stores }
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_NOTHING(channel, l) \
-    skylight_sh_4_bands_1_5pct_clear(weights[channel] + (l) * (l), 2 * (l) + 1);
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_ZONAL(channel, l, column) \
-    weights[channel][(l) * ((l) + 1)] = (float)sums[column];
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_ONE(channel, l, m, column) \
-    weights[channel][(l) * ((l) + 1) - (m)] = (float)(sums[column] * sines[m]); \
-    weights[channel][(l) * ((l) + 1) + (m)] = (float)(sums[column] * cosines[m]);
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_FOUR(channel, l, m, column) \
-    skylight_sh_4_bands_1_5pct_place_four(sums + (column), cosines + (m), sines + (m), \
-                           weights[channel] + (l) * ((l) + 1) + (m), \
-                           weights[channel] + (l) * ((l) + 1) - (m) - 3);
-    SKYLIGHT_SH_4_BANDS_1_5PCT_STORES(SKYLIGHT_SH_4_BANDS_1_5PCT_BAND,
-        SKYLIGHT_SH_4_BANDS_1_5PCT_NOTHING, SKYLIGHT_SH_4_BANDS_1_5PCT_ZONAL,
-        SKYLIGHT_SH_4_BANDS_1_5PCT_ONE,
-                       SKYLIGHT_SH_4_BANDS_1_5PCT_FOUR)
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_NOTHING(place, count) memset(w + (place), 0, sizeof(float) * \
+    (count));
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_MINUS(place, q, r, a, b, c, d, order) \
+    skylight_sh_4_bands_1_5pct_keep(w + (place), \
+                     SKYLIGHT_SH_4_BANDS_1_5PCT_PICK(v[q], v[r], a, b, c, d) * \
+                         skylight_sh_4_bands_1_5pct_load_four(minus + \
+                             SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS - 1 - (order)));
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PLUS(place, q, r, a, b, c, d, order) \
+    skylight_sh_4_bands_1_5pct_keep(w + (place), SKYLIGHT_SH_4_BANDS_1_5PCT_PICK(v[q], v[r], a, b, \
+        c, d) * \
+                                      skylight_sh_4_bands_1_5pct_load_four(plus + (order)));
+        SKYLIGHT_SH_4_BANDS_1_5PCT_STORES(SKYLIGHT_SH_4_BANDS_1_5PCT_BAND,
+            SKYLIGHT_SH_4_BANDS_1_5PCT_NOTHING, SKYLIGHT_SH_4_BANDS_1_5PCT_MINUS,
+                           SKYLIGHT_SH_4_BANDS_1_5PCT_PLUS)
 #undef SKYLIGHT_SH_4_BANDS_1_5PCT_BAND
 #undef SKYLIGHT_SH_4_BANDS_1_5PCT_NOTHING
-#undef SKYLIGHT_SH_4_BANDS_1_5PCT_ZONAL
-#undef SKYLIGHT_SH_4_BANDS_1_5PCT_ONE
-#undef SKYLIGHT_SH_4_BANDS_1_5PCT_FOUR
+#undef SKYLIGHT_SH_4_BANDS_1_5PCT_MINUS
+#undef SKYLIGHT_SH_4_BANDS_1_5PCT_PLUS
+    }
+#else
+    static const short columns[SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS] =
+        SKYLIGHT_SH_4_BANDS_1_5PCT_COLUMNS;
+    for (channel = 0; channel < SKYLIGHT_SH_4_BANDS_1_5PCT_CHANNELS; ++channel) {
+        skylight_sh_4_bands_1_5pct_real v[SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH];
+        int l, m;
+        skylight_sh_4_bands_1_5pct_mix(sums, channel, factors, v);
+        for (l = 0; l < bands; ++l) {
+            float *const w = weights[channel] + l * (l + 1);
+            const int column = columns[l];
+            for (m = 1; m <= l; ++m)
+                w[-m] = column < 0 ? 0.0f : (float)(v[column + m] * sines[m]);
+            for (m = 0; m <= l; ++m)
+                w[m] = column < 0 ? 0.0f : (float)(v[column + m] * cosines[m]);
+        }
+    }
+#endif
     (void)cosines;
     (void)sines;
 }
 
-/* Sums the table's terms and stores the first `bands` bands. */
-static inline void skylight_sh_4_bands_1_5pct_combine(const skylight_sh_4_bands_1_5pct_real *first,
-                                       const skylight_sh_4_bands_1_5pct_real *others,
-                                       const skylight_sh_4_bands_1_5pct_real *cosines,
-                                       const skylight_sh_4_bands_1_5pct_real *sines, int bands,
-                                       float
-                                           weights[SKYLIGHT_SH_4_BANDS_1_5PCT_CHANNELS]
-                                           [SKYLIGHT_SH_4_BANDS_1_5PCT_WEIGHTS])
+#ifdef SKYLIGHT_SH_4_BANDS_1_5PCT_LANES
+
+/* Vectors that the first `count` numbers of a row take, and those that are summed at once, in
+   registers. */
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_VECTORS(count) (((count) + SKYLIGHT_SH_4_BANDS_1_5PCT_LANES - \
+    1) / SKYLIGHT_SH_4_BANDS_1_5PCT_LANES)
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_BLOCKS \
+    ((SKYLIGHT_SH_4_BANDS_1_5PCT_VECTORS(SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH) + 6) / 7)
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_BLOCK \
+    ((SKYLIGHT_SH_4_BANDS_1_5PCT_VECTORS(SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH) + \
+        SKYLIGHT_SH_4_BANDS_1_5PCT_BLOCKS - 1) / SKYLIGHT_SH_4_BANDS_1_5PCT_BLOCKS)
+#endif
+#ifdef SKYLIGHT_SH_4_BANDS_1_5PCT_LANES
+
+/* One class's sums, for SKYLIGHT_SH_4_BANDS_1_5PCT_BLOCK vectors of each row: over the products of
+ * the other axes'
+   functions, each times a polynomial in powers of u, by Horner's scheme. */
+SKYLIGHT_SH_4_BANDS_1_5PCT_INLINE void skylight_sh_4_bands_1_5pct_sum_block(const
+    skylight_sh_4_bands_1_5pct_real *rows, int class_,
+                                              skylight_sh_4_bands_1_5pct_real u,
+                                                  const skylight_sh_4_bands_1_5pct_real *others,
+                                              skylight_sh_4_bands_1_5pct_real *sums)
 {
-    static const unsigned short widths[SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS] =
-        SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTHS;
-    skylight_sh_4_bands_1_5pct_real products[4 * SKYLIGHT_SH_4_BANDS_1_5PCT_GROUPS + 8],
-        sums[SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH];
-    int i;
-    /* In fours: each overshoot is overwritten by the next line. */
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_PRODUCT(start, count, other) \
-    for (i = 0; i < ((count) + 3) / 4 * 4; ++i) products[(start) + i] = first[i] * others[other];
-    SKYLIGHT_SH_4_BANDS_1_5PCT_PRODUCT(0, SKYLIGHT_SH_4_BANDS_1_5PCT_LEADING, 0)
-    SKYLIGHT_SH_4_BANDS_1_5PCT_PRODUCTS(SKYLIGHT_SH_4_BANDS_1_5PCT_PRODUCT)
-#undef SKYLIGHT_SH_4_BANDS_1_5PCT_PRODUCT
-    /* A last group of four may have rows of zeros. */
-    for (i = SKYLIGHT_SH_4_BANDS_1_5PCT_TERMS; i < 4 * SKYLIGHT_SH_4_BANDS_1_5PCT_GROUPS; ++i)
-        products[i] = 0;
-    if (bands == SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS)
-        skylight_sh_4_bands_1_5pct_sum(skylight_sh_4_bands_1_5pct_rows,
-            SKYLIGHT_SH_4_BANDS_1_5PCT_GROUPS, products, SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH, sums);
-    else
-        skylight_sh_4_bands_1_5pct_sum(skylight_sh_4_bands_1_5pct_rows,
-            SKYLIGHT_SH_4_BANDS_1_5PCT_GROUPS, products, widths[bands - 1], sums);
-    skylight_sh_4_bands_1_5pct_store(sums, cosines, sines, bands, weights);
+    const skylight_sh_4_bands_1_5pct_lanes power = skylight_sh_4_bands_1_5pct_spread(u);
+    int i, k;
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_CLASS(which, polynomials) \
+    if (class_ == (which)) { \
+        skylight_sh_4_bands_1_5pct_lanes total[SKYLIGHT_SH_4_BANDS_1_5PCT_BLOCK]; \
+        polynomials \
+        for (k = 0; k < SKYLIGHT_SH_4_BANDS_1_5PCT_BLOCK; ++k) \
+            memcpy(sums + k * SKYLIGHT_SH_4_BANDS_1_5PCT_LANES, &total[k], sizeof total[k]); \
+    }
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_NOTHING \
+    for (k = 0; k < SKYLIGHT_SH_4_BANDS_1_5PCT_BLOCK; ++k) total[k] = \
+        skylight_sh_4_bands_1_5pct_spread(0);
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_POLYNOMIAL(start, count, other) \
+    { \
+        const skylight_sh_4_bands_1_5pct_real *term = rows + ((start) + (count) - 1) * \
+            SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH; \
+        const skylight_sh_4_bands_1_5pct_lanes factor = \
+            skylight_sh_4_bands_1_5pct_spread(others[other]); \
+        skylight_sh_4_bands_1_5pct_lanes sum[SKYLIGHT_SH_4_BANDS_1_5PCT_BLOCK]; \
+        for (k = 0; k < SKYLIGHT_SH_4_BANDS_1_5PCT_BLOCK; ++k) \
+            sum[k] = skylight_sh_4_bands_1_5pct_load(term + k * SKYLIGHT_SH_4_BANDS_1_5PCT_LANES); \
+        for (i = 1; i < (count); ++i) { \
+            term -= SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH; \
+            for (k = 0; k < SKYLIGHT_SH_4_BANDS_1_5PCT_BLOCK; ++k) \
+                sum[k] = skylight_sh_4_bands_1_5pct_add(sum[k], power, \
+                                         skylight_sh_4_bands_1_5pct_load(term + k * \
+                                             SKYLIGHT_SH_4_BANDS_1_5PCT_LANES)); \
+        } \
+        for (k = 0; k < SKYLIGHT_SH_4_BANDS_1_5PCT_BLOCK; ++k) SKYLIGHT_SH_4_BANDS_1_5PCT_TOTAL(k) \
+    }
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_TOTAL(k) total[k] = skylight_sh_4_bands_1_5pct_add(sum[k], \
+    factor, total[k]);
+    SKYLIGHT_SH_4_BANDS_1_5PCT_POLYNOMIALS(SKYLIGHT_SH_4_BANDS_1_5PCT_CLASS,
+        SKYLIGHT_SH_4_BANDS_1_5PCT_NOTHING, SKYLIGHT_SH_4_BANDS_1_5PCT_POLYNOMIAL)
+#undef SKYLIGHT_SH_4_BANDS_1_5PCT_CLASS
+#undef SKYLIGHT_SH_4_BANDS_1_5PCT_NOTHING
+#undef SKYLIGHT_SH_4_BANDS_1_5PCT_POLYNOMIAL
+#undef SKYLIGHT_SH_4_BANDS_1_5PCT_TOTAL
 }
 
-/* The same in double precision, all bands: what derivatives need, whose terms cancel. */
-static inline void skylight_sh_4_bands_1_5pct_combine_double(
-    const double *first, const double *others, const skylight_sh_4_bands_1_5pct_real *cosines,
-    const skylight_sh_4_bands_1_5pct_real *sines,
-        float weights[SKYLIGHT_SH_4_BANDS_1_5PCT_CHANNELS][SKYLIGHT_SH_4_BANDS_1_5PCT_WEIGHTS])
+/* One class's sums, for one vector of each row. */
+static inline void skylight_sh_4_bands_1_5pct_sum_vector(const skylight_sh_4_bands_1_5pct_real *row,
+    const unsigned char *lengths,
+                                          skylight_sh_4_bands_1_5pct_real u,
+                                              const skylight_sh_4_bands_1_5pct_real *others,
+                                          skylight_sh_4_bands_1_5pct_real *sums)
 {
-    static const unsigned char lengths[SKYLIGHT_SH_4_BANDS_1_5PCT_OTHERS] =
-        SKYLIGHT_SH_4_BANDS_1_5PCT_LENGTHS;
-    const skylight_sh_4_bands_1_5pct_real *row = skylight_sh_4_bands_1_5pct_rows;
-    double exact[SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH];
-    skylight_sh_4_bands_1_5pct_real sums[SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH];
-    int i, k, other;
-    for (k = 0; k < SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH; ++k) exact[k] = 0.0;
+    const skylight_sh_4_bands_1_5pct_lanes power = skylight_sh_4_bands_1_5pct_spread(u);
+    skylight_sh_4_bands_1_5pct_lanes total = skylight_sh_4_bands_1_5pct_spread(0);
+    int other;
     for (other = 0; other < SKYLIGHT_SH_4_BANDS_1_5PCT_OTHERS; ++other) {
-        for (i = 0; i < lengths[other]; ++i) {
-            const double product = first[i] * others[other];
-            for (k = 0; k < SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH; ++k) exact[k] += product *
-                (double)row[k];
+        const int length = lengths[other];
+        const skylight_sh_4_bands_1_5pct_real *term = row + (length - 1) *
+            SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH;
+        skylight_sh_4_bands_1_5pct_lanes sum;
+        if (!length) continue;
+        sum = skylight_sh_4_bands_1_5pct_load(term);
+        while (term != row) {
+            term -= SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH;
+            sum = skylight_sh_4_bands_1_5pct_add(sum, power, skylight_sh_4_bands_1_5pct_load(term));
+        }
+        total = skylight_sh_4_bands_1_5pct_add(sum,
+            skylight_sh_4_bands_1_5pct_spread(others[other]), total);
+        row += length * SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH;
+    }
+    memcpy(sums, &total, sizeof total);
+}
+#else
+
+/* One class's sums, with plain numbers. */
+static inline void skylight_sh_4_bands_1_5pct_sum(const skylight_sh_4_bands_1_5pct_real *row,
+    const unsigned char *lengths,
+                                   skylight_sh_4_bands_1_5pct_real u,
+                                       const skylight_sh_4_bands_1_5pct_real *others, int count,
+                                   skylight_sh_4_bands_1_5pct_real *sums)
+{
+    int other, i, k;
+    for (k = 0; k < SKYLIGHT_SH_4_BANDS_1_5PCT_ROOM; ++k) sums[k] = 0;
+    for (other = 0; other < SKYLIGHT_SH_4_BANDS_1_5PCT_OTHERS; ++other) {
+        skylight_sh_4_bands_1_5pct_real product = others[other];
+        for (i = 0; i < (int)lengths[other]; ++i) {
+            for (k = 0; k < count; ++k) sums[k] += product * row[k];
+            product *= u;
             row += SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH;
         }
     }
-    for (k = 0; k < SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH; ++k) sums[k] =
-        (skylight_sh_4_bands_1_5pct_real)exact[k];
-    skylight_sh_4_bands_1_5pct_store(sums, cosines, sines, SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS,
-        weights);
+}
+#endif
+
+/* The sums of one class's rows, one a term, for the first `bands` bands. */
+SKYLIGHT_SH_4_BANDS_1_5PCT_INLINE void skylight_sh_4_bands_1_5pct_sum_class(const
+    skylight_sh_4_bands_1_5pct_real *rows, int class_,
+                                              const skylight_sh_4_bands_1_5pct_real *first,
+                                              const skylight_sh_4_bands_1_5pct_real *others,
+                                                  int bands,
+                                              skylight_sh_4_bands_1_5pct_real *sums)
+{
+    static const unsigned short starts[SKYLIGHT_SH_4_BANDS_1_5PCT_CLASSES] =
+        SKYLIGHT_SH_4_BANDS_1_5PCT_STARTS;
+    static const unsigned char
+        lengths[SKYLIGHT_SH_4_BANDS_1_5PCT_CLASSES][SKYLIGHT_SH_4_BANDS_1_5PCT_OTHERS] =
+        SKYLIGHT_SH_4_BANDS_1_5PCT_LENGTHS;
+    static const unsigned short widths[SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS] =
+        SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTHS;
+    const skylight_sh_4_bands_1_5pct_real *const row = rows + (int)starts[class_] *
+        SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH;
+#ifdef SKYLIGHT_SH_4_BANDS_1_5PCT_LANES
+    int i;
+    if (bands == SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS) {
+        for (i = 0; i < SKYLIGHT_SH_4_BANDS_1_5PCT_BLOCKS; ++i) {
+            /* The last block may overlap the one before. */
+            const int at = i + 1 < SKYLIGHT_SH_4_BANDS_1_5PCT_BLOCKS
+                               ? i * SKYLIGHT_SH_4_BANDS_1_5PCT_BLOCK
+                               : SKYLIGHT_SH_4_BANDS_1_5PCT_VECTORS(
+                                   SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH) -
+                                   SKYLIGHT_SH_4_BANDS_1_5PCT_BLOCK;
+            skylight_sh_4_bands_1_5pct_sum_block(rows + at * SKYLIGHT_SH_4_BANDS_1_5PCT_LANES,
+                class_, first[1], others,
+                                  sums + at * SKYLIGHT_SH_4_BANDS_1_5PCT_LANES);
+        }
+        return;
+    }
+    memset(sums, 0, sizeof *sums * SKYLIGHT_SH_4_BANDS_1_5PCT_ROOM);
+    for (i = 0; i < SKYLIGHT_SH_4_BANDS_1_5PCT_VECTORS(widths[bands - 1]); ++i)
+        skylight_sh_4_bands_1_5pct_sum_vector(row + i * SKYLIGHT_SH_4_BANDS_1_5PCT_LANES,
+            lengths[class_], first[1], others,
+                               sums + i * SKYLIGHT_SH_4_BANDS_1_5PCT_LANES);
+#else
+    skylight_sh_4_bands_1_5pct_sum(row, lengths[class_], first[1], others, widths[bands - 1], sums);
+#endif
 }
 
-/* What becomes of the first `bands` bands once they are stored; the others become 0. */
+/* The same in double precision, all bands: what derivatives need, whose terms cancel. */
+static inline void skylight_sh_4_bands_1_5pct_sum_rows_double(
+    const skylight_sh_4_bands_1_5pct_real *rows, const double *first, const double *others,
+    double sums[SKYLIGHT_SH_4_BANDS_1_5PCT_CLASSES][SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH])
+{
+    static const unsigned char
+        lengths[SKYLIGHT_SH_4_BANDS_1_5PCT_CLASSES][SKYLIGHT_SH_4_BANDS_1_5PCT_OTHERS] =
+        SKYLIGHT_SH_4_BANDS_1_5PCT_LENGTHS;
+    int c, i, k, other;
+    for (c = 0; c < SKYLIGHT_SH_4_BANDS_1_5PCT_CLASSES; ++c) {
+        for (k = 0; k < SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH; ++k) sums[c][k] = 0.0;
+        for (other = 0; other < SKYLIGHT_SH_4_BANDS_1_5PCT_OTHERS; ++other) {
+            for (i = 0; i < (int)lengths[c][other]; ++i) {
+                const double product = first[i] * others[other];
+                for (k = 0; k < SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH; ++k) sums[c][k] += product *
+                    (double)rows[k];
+                rows += SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH;
+            }
+        }
+    }
+}
+
+/* What becomes of the first `bands` bands once they are stored. */
 static inline void skylight_sh_4_bands_1_5pct_finish(int bands, int lights,
-    const skylight_sh_4_bands_1_5pct_real *cosines,
-                                      const skylight_sh_4_bands_1_5pct_real *sines,
                                       float
                                           weights[SKYLIGHT_SH_4_BANDS_1_5PCT_CHANNELS]
                                           [SKYLIGHT_SH_4_BANDS_1_5PCT_WEIGHTS])
 {
-    if (bands < SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS) {
-        int channel, i;
-        for (channel = 0; channel < SKYLIGHT_SH_4_BANDS_1_5PCT_CHANNELS; ++channel)
-            for (i = bands * bands; i < SKYLIGHT_SH_4_BANDS_1_5PCT_WEIGHTS; ++i) weights[channel][i]
-                = 0.0f;
-    }
+    (void)bands;
     (void)lights;
-    (void)cosines;
-    (void)sines;
+    (void)weights;
 }
 
 /* Evaluates the first `bands` bands (1 to SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS, clamped like an input)
  * and zeroes the
-   rest; returns the status. */
-static inline int skylight_sh_4_bands_1_5pct_evaluate(const float
-    inputs[SKYLIGHT_SH_4_BANDS_1_5PCT_AXES], float azimuth,
+   rest; returns the status. `rows` are the table's; those of a packed table may be missing. */
+static inline int skylight_sh_4_bands_1_5pct_evaluate(const skylight_sh_4_bands_1_5pct_real *rows,
+                                       const float inputs[SKYLIGHT_SH_4_BANDS_1_5PCT_AXES],
+                                           float azimuth,
                                        int bands,
                                        float
                                            weights[SKYLIGHT_SH_4_BANDS_1_5PCT_CHANNELS]
@@ -765,8 +1112,14 @@ static inline int skylight_sh_4_bands_1_5pct_evaluate(const float
     skylight_sh_4_bands_1_5pct_real x[SKYLIGHT_SH_4_BANDS_1_5PCT_AXES],
         first[SKYLIGHT_SH_4_BANDS_1_5PCT_FIRST], others[SKYLIGHT_SH_4_BANDS_1_5PCT_OTHERS];
     skylight_sh_4_bands_1_5pct_real cosines[SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS],
-        sines[SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS], scale;
-    int i, status = skylight_sh_4_bands_1_5pct_inputs(inputs, azimuth, x);
+        sines[SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS];
+    skylight_sh_4_bands_1_5pct_real
+        sums[SKYLIGHT_SH_4_BANDS_1_5PCT_CLASSES][SKYLIGHT_SH_4_BANDS_1_5PCT_ROOM];
+    skylight_sh_4_bands_1_5pct_real factors[SKYLIGHT_SH_4_BANDS_1_5PCT_CHANNELS *
+        SKYLIGHT_SH_4_BANDS_1_5PCT_CLASSES];
+    skylight_sh_4_bands_1_5pct_real light = SKYLIGHT_SH_4_BANDS_1_5PCT_EXPOSURE, radius = 1;
+    skylight_sh_4_bands_1_5pct_real early[SKYLIGHT_SH_4_BANDS_1_5PCT_EARLY];
+    int i, all, status = skylight_sh_4_bands_1_5pct_inputs(inputs, azimuth, x);
     if (status == 2) {
         memset(weights, 0, sizeof(float) * SKYLIGHT_SH_4_BANDS_1_5PCT_CHANNELS *
             SKYLIGHT_SH_4_BANDS_1_5PCT_WEIGHTS);
@@ -776,83 +1129,264 @@ static inline int skylight_sh_4_bands_1_5pct_evaluate(const float
         bands = bands < 1 ? 1 : SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS;
         status = 1;
     }
-    scale = skylight_sh_4_bands_1_5pct_scale(x) *
-        (skylight_sh_4_bands_1_5pct_real)SKYLIGHT_SH_4_BANDS_1_5PCT_EXPOSURE;
+    /* First what the library computes: calls keep no registers. */
+    radius = skylight_sh_4_bands_1_5pct_sine(x);
+    skylight_sh_4_bands_1_5pct_waves((skylight_sh_4_bands_1_5pct_real)azimuth, radius, cosines,
+        sines);
     skylight_sh_4_bands_1_5pct_first(x, first);
     skylight_sh_4_bands_1_5pct_others(x, others);
-    for (i = 0; i < SKYLIGHT_SH_4_BANDS_1_5PCT_OTHERS; ++i) others[i] *= scale;
-    skylight_sh_4_bands_1_5pct_waves((skylight_sh_4_bands_1_5pct_real)azimuth, cosines, sines);
-    skylight_sh_4_bands_1_5pct_combine(first, others, cosines, sines, bands, weights);
-    skylight_sh_4_bands_1_5pct_finish(bands, 1, cosines, sines, weights);
+    skylight_sh_4_bands_1_5pct_begin_factors(x, early);
+    all = bands;
+        skylight_sh_4_bands_1_5pct_sum_class(rows, 0, first, others, all, sums[0]);
+    /* Between sums: what has begun above waits for itself, and there is more to do meanwhile. */
+    skylight_sh_4_bands_1_5pct_end_factors(x, early, factors);
+    for (i = 0; i < SKYLIGHT_SH_4_BANDS_1_5PCT_CHANNELS * SKYLIGHT_SH_4_BANDS_1_5PCT_CLASSES; ++i)
+        factors[i] *= light;
+    {
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_CLASS(k) skylight_sh_4_bands_1_5pct_sum_class(rows, k, first, \
+    others, all, sums[k]);
+        SKYLIGHT_SH_4_BANDS_1_5PCT_OTHER_CLASSES(SKYLIGHT_SH_4_BANDS_1_5PCT_CLASS)
+#undef SKYLIGHT_SH_4_BANDS_1_5PCT_CLASS
+    }
+    skylight_sh_4_bands_1_5pct_store(sums, factors, cosines, sines, all, weights);
+    skylight_sh_4_bands_1_5pct_finish(bands, 1, weights);
+    if (bands < SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS) {
+        int channel;
+        for (channel = 0; channel < SKYLIGHT_SH_4_BANDS_1_5PCT_CHANNELS; ++channel)
+            for (i = bands * bands; i < SKYLIGHT_SH_4_BANDS_1_5PCT_WEIGHTS; ++i) weights[channel][i]
+                = 0.0f;
+    }
     return status;
 }
+
+/* One of many suns by itself. */
+static inline int skylight_sh_4_bands_1_5pct_evaluate_one(const skylight_sh_4_bands_1_5pct_real
+    *rows,
+                                           const float *const
+                                               inputs[SKYLIGHT_SH_4_BANDS_1_5PCT_AXES],
+                                           const float *azimuths, int sun,
+                                           float
+                                               weights[SKYLIGHT_SH_4_BANDS_1_5PCT_CHANNELS]
+                                               [SKYLIGHT_SH_4_BANDS_1_5PCT_WEIGHTS])
+{
+    float given[SKYLIGHT_SH_4_BANDS_1_5PCT_AXES];
+    int axis;
+    for (axis = 0; axis < SKYLIGHT_SH_4_BANDS_1_5PCT_AXES; ++axis) given[axis] = inputs[axis][sun];
+    return skylight_sh_4_bands_1_5pct_evaluate(rows, given,
+        azimuths ? azimuths[sun] : SKYLIGHT_SH_4_BANDS_1_5PCT_AZIMUTH,
+                                SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS, weights);
+}
+#if defined(SKYLIGHT_SH_4_BANDS_1_5PCT_LANES) && SKYLIGHT_SH_4_BANDS_1_5PCT_LANES > 4
+/* As many suns side by side as a vector has numbers. */
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS SKYLIGHT_SH_4_BANDS_1_5PCT_LANES
+
+/* The weights of SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS suns from `start` on, a row a weight; returns the
+ * largest status. */
+static inline int skylight_sh_4_bands_1_5pct_evaluate_suns(
+    const skylight_sh_4_bands_1_5pct_real *rows,
+        const float *const inputs[SKYLIGHT_SH_4_BANDS_1_5PCT_AXES],
+    const float *azimuths, int start,
+    float out[SKYLIGHT_SH_4_BANDS_1_5PCT_CHANNELS *
+        SKYLIGHT_SH_4_BANDS_1_5PCT_WEIGHTS][SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS])
+{
+    static const short columns[SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS] =
+        SKYLIGHT_SH_4_BANDS_1_5PCT_COLUMNS;
+    float x[SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS][SKYLIGHT_SH_4_BANDS_1_5PCT_AXES],
+        light[SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS], u[SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS];
+    float others[SKYLIGHT_SH_4_BANDS_1_5PCT_OTHERS][SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS];
+    float factors[SKYLIGHT_SH_4_BANDS_1_5PCT_FACTORS][SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS];
+    float cosines[SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS][SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS],
+        sines[SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS][SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS];
+    skylight_sh_4_bands_1_5pct_lanes
+        sums[SKYLIGHT_SH_4_BANDS_1_5PCT_CLASSES][SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH];
+    int s, i, k, l, m, channel, worst = 0;
+    for (s = 0; s < SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS; ++s) {
+        float given[SKYLIGHT_SH_4_BANDS_1_5PCT_AXES], plus[SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS],
+            minus[SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS];
+        float azimuth = azimuths ? azimuths[start + s] : SKYLIGHT_SH_4_BANDS_1_5PCT_AZIMUTH,
+            radius = 1.0f;
+        int status;
+        for (i = 0; i < SKYLIGHT_SH_4_BANDS_1_5PCT_AXES; ++i) given[i] = inputs[i][start + s];
+        status = skylight_sh_4_bands_1_5pct_inputs(given, azimuth, x[s]);
+        worst = status > worst ? status : worst;
+        light[s] = SKYLIGHT_SH_4_BANDS_1_5PCT_EXPOSURE;
+        if (status == 2) {
+            light[s] = azimuth = 0.0f;
+            for (i = 0; i < SKYLIGHT_SH_4_BANDS_1_5PCT_AXES; ++i) x[s][i] =
+                skylight_sh_4_bands_1_5pct_range[i][0];
+        }
+        radius = skylight_sh_4_bands_1_5pct_sine(x[s]);
+        skylight_sh_4_bands_1_5pct_waves(azimuth, radius, plus, minus);
+        for (m = 0; m < SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS; ++m) {
+            cosines[m][s] = plus[m];
+            sines[m][s] = minus[m];
+        }
+    }
+    for (s = 0; s < SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS; ++s) {
+        float first[SKYLIGHT_SH_4_BANDS_1_5PCT_FIRST], products[SKYLIGHT_SH_4_BANDS_1_5PCT_OTHERS];
+        skylight_sh_4_bands_1_5pct_first(x[s], first);
+        skylight_sh_4_bands_1_5pct_others(x[s], products);
+        u[s] = first[1];
+        for (i = 0; i < SKYLIGHT_SH_4_BANDS_1_5PCT_OTHERS; ++i) others[i][s] = products[i];
+    }
+    for (s = 0; s < SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS; ++s) {
+        float early[SKYLIGHT_SH_4_BANDS_1_5PCT_EARLY], found[SKYLIGHT_SH_4_BANDS_1_5PCT_FACTORS];
+        skylight_sh_4_bands_1_5pct_begin_factors(x[s], early);
+        skylight_sh_4_bands_1_5pct_end_factors(x[s], early, found);
+        for (i = 0; i < SKYLIGHT_SH_4_BANDS_1_5PCT_FACTORS; ++i) factors[i][s] = found[i] *
+            light[s];
+    }
+    for (i = 0; i < SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH; ++i) {
+        const skylight_sh_4_bands_1_5pct_lanes power = skylight_sh_4_bands_1_5pct_load(u);
+        int t;
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_CLASS(which, polynomials) \
+    { \
+        skylight_sh_4_bands_1_5pct_lanes total; \
+        polynomials sums[which][i] = total; \
+    }
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_NOTHING total = skylight_sh_4_bands_1_5pct_spread(0);
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_POLYNOMIAL(begin, count, other) \
+    { \
+        const float *term = rows + ((begin) + (count) - 1) * SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH + i; \
+        skylight_sh_4_bands_1_5pct_lanes sum = skylight_sh_4_bands_1_5pct_spread(*term); \
+        for (t = 1; t < (count); ++t) { \
+            term -= SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH; \
+            sum = skylight_sh_4_bands_1_5pct_add(sum, power, \
+                skylight_sh_4_bands_1_5pct_spread(*term)); \
+        } \
+        total = skylight_sh_4_bands_1_5pct_add(sum, \
+            skylight_sh_4_bands_1_5pct_load(others[other]), total); \
+    }
+        SKYLIGHT_SH_4_BANDS_1_5PCT_POLYNOMIALS(SKYLIGHT_SH_4_BANDS_1_5PCT_CLASS,
+            SKYLIGHT_SH_4_BANDS_1_5PCT_NOTHING, SKYLIGHT_SH_4_BANDS_1_5PCT_POLYNOMIAL)
+#undef SKYLIGHT_SH_4_BANDS_1_5PCT_CLASS
+#undef SKYLIGHT_SH_4_BANDS_1_5PCT_NOTHING
+#undef SKYLIGHT_SH_4_BANDS_1_5PCT_POLYNOMIAL
+    }
+    for (channel = 0; channel < SKYLIGHT_SH_4_BANDS_1_5PCT_CHANNELS; ++channel) {
+        for (l = 0; l < SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS; ++l) {
+            float(*const w)[SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS] = out + channel *
+                SKYLIGHT_SH_4_BANDS_1_5PCT_WEIGHTS + l * (l + 1);
+            for (m = 0; m <= l; ++m) {
+                skylight_sh_4_bands_1_5pct_lanes v = skylight_sh_4_bands_1_5pct_spread(0);
+                if (columns[l] >= 0) {
+                    for (k = 0; k < SKYLIGHT_SH_4_BANDS_1_5PCT_CLASSES; ++k)
+                        v = skylight_sh_4_bands_1_5pct_add(
+                            skylight_sh_4_bands_1_5pct_load(factors[channel *
+                                SKYLIGHT_SH_4_BANDS_1_5PCT_CLASSES + k]),
+                            sums[k][columns[l] + m], v);
+                }
+                {
+                    const skylight_sh_4_bands_1_5pct_lanes plus = v *
+                        skylight_sh_4_bands_1_5pct_load(cosines[m]);
+                    const skylight_sh_4_bands_1_5pct_lanes minus = v *
+                        skylight_sh_4_bands_1_5pct_load(sines[m]);
+                    memcpy(w[-m], &minus, sizeof minus);
+                    memcpy(w[m], &plus, sizeof plus);
+                }
+            }
+        }
+    }
+    (void)k;
+    return worst;
+}
+
+/* Four rows of four numbers become four of theirs. */
+static inline void skylight_sh_4_bands_1_5pct_turn_four(const float *from, int from_step, float *to,
+    int to_step)
+{
+    const skylight_sh_4_bands_1_5pct_four a = skylight_sh_4_bands_1_5pct_load_four(from);
+    const skylight_sh_4_bands_1_5pct_four b = skylight_sh_4_bands_1_5pct_load_four(from +
+        from_step);
+    const skylight_sh_4_bands_1_5pct_four c = skylight_sh_4_bands_1_5pct_load_four(from + 2 *
+        from_step);
+    const skylight_sh_4_bands_1_5pct_four d = skylight_sh_4_bands_1_5pct_load_four(from + 3 *
+        from_step);
+    const skylight_sh_4_bands_1_5pct_four ab = SKYLIGHT_SH_4_BANDS_1_5PCT_PICK(a, b, 0, 4, 1, 5);
+    const skylight_sh_4_bands_1_5pct_four cd = SKYLIGHT_SH_4_BANDS_1_5PCT_PICK(c, d, 0, 4, 1, 5);
+    const skylight_sh_4_bands_1_5pct_four ba = SKYLIGHT_SH_4_BANDS_1_5PCT_PICK(a, b, 2, 6, 3, 7);
+    const skylight_sh_4_bands_1_5pct_four dc = SKYLIGHT_SH_4_BANDS_1_5PCT_PICK(c, d, 2, 6, 3, 7);
+    skylight_sh_4_bands_1_5pct_keep(to, SKYLIGHT_SH_4_BANDS_1_5PCT_PICK(ab, cd, 0, 1, 4, 5));
+    skylight_sh_4_bands_1_5pct_keep(to + to_step, SKYLIGHT_SH_4_BANDS_1_5PCT_PICK(ab, cd, 2, 3, 6,
+        7));
+    skylight_sh_4_bands_1_5pct_keep(to + 2 * to_step, SKYLIGHT_SH_4_BANDS_1_5PCT_PICK(ba, dc, 0, 1,
+        4, 5));
+    skylight_sh_4_bands_1_5pct_keep(to + 3 * to_step, SKYLIGHT_SH_4_BANDS_1_5PCT_PICK(ba, dc, 2, 3,
+        6, 7));
+}
+#endif
 
 /* Evaluates `count` suns from arrays, one an axis, and one of azimuths (or none, where the table
    fixes it); returns the largest status. */
 static inline int skylight_sh_4_bands_1_5pct_evaluate_batch(
-    int count, const float *const inputs[SKYLIGHT_SH_4_BANDS_1_5PCT_AXES], const float *azimuths,
-    float (*weights)[SKYLIGHT_SH_4_BANDS_1_5PCT_CHANNELS][SKYLIGHT_SH_4_BANDS_1_5PCT_WEIGHTS])
+    const skylight_sh_4_bands_1_5pct_real *rows, int count,
+        const float *const inputs[SKYLIGHT_SH_4_BANDS_1_5PCT_AXES],
+    const float *azimuths, float
+        (*weights)[SKYLIGHT_SH_4_BANDS_1_5PCT_CHANNELS][SKYLIGHT_SH_4_BANDS_1_5PCT_WEIGHTS])
 {
-    int s, axis, worst = 0;
-    /* The rows summed over the other axes once, for all suns in a row that share them. */
-    skylight_sh_4_bands_1_5pct_real line[SKYLIGHT_SH_4_BANDS_1_5PCT_FIRST *
-        SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH], shared[SKYLIGHT_SH_4_BANDS_1_5PCT_AXES];
-    int ready = 0;
-    for (s = 0; s < count; ++s) {
-        const float azimuth = azimuths ? azimuths[s] : SKYLIGHT_SH_4_BANDS_1_5PCT_AZIMUTH;
-        float sun[SKYLIGHT_SH_4_BANDS_1_5PCT_AXES];
-        int status;
-        skylight_sh_4_bands_1_5pct_real x[SKYLIGHT_SH_4_BANDS_1_5PCT_AXES],
-            first[SKYLIGHT_SH_4_BANDS_1_5PCT_FIRST], sums[SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH];
-        skylight_sh_4_bands_1_5pct_real cosines[SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS],
-            sines[SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS], scale;
-        int i;
-        for (axis = 0; axis < SKYLIGHT_SH_4_BANDS_1_5PCT_AXES; ++axis) sun[axis] = inputs[axis][s];
-        status = skylight_sh_4_bands_1_5pct_inputs(sun, azimuth, x);
+    int s = 0, status, worst = 0;
+#ifdef SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS
+    enum { numbers = SKYLIGHT_SH_4_BANDS_1_5PCT_CHANNELS * SKYLIGHT_SH_4_BANDS_1_5PCT_WEIGHTS };
+    for (; s + SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS <= count; s += SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS) {
+        float out[numbers][SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS];
+        int i, k;
+        status = skylight_sh_4_bands_1_5pct_evaluate_suns(rows, inputs, azimuths, s, out);
         worst = status > worst ? status : worst;
-        if (status == 2) {
-            memset(weights[s], 0, sizeof weights[s]);
-            continue;
+        for (k = 0; k < SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS; k += 4) {
+            for (i = 0; i < numbers; i += 4) {
+                /* The last four may overlap those before. */
+                const int at = i + 4 <= numbers ? i : numbers - 4;
+                skylight_sh_4_bands_1_5pct_turn_four(out[at] + k, SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS,
+                    &weights[s + k][0][0] + at,
+                                      numbers);
+            }
         }
-        ready = ready && !memcmp(x + 1, shared + 1,
-            sizeof *x * (SKYLIGHT_SH_4_BANDS_1_5PCT_AXES - 1));
-        if (!ready) {
-            skylight_sh_4_bands_1_5pct_real others[SKYLIGHT_SH_4_BANDS_1_5PCT_OTHERS];
-            skylight_sh_4_bands_1_5pct_others(x, others);
-            for (i = 0; i < SKYLIGHT_SH_4_BANDS_1_5PCT_LEADING * SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH;
-                ++i)
-                line[i] = others[0] * skylight_sh_4_bands_1_5pct_rows[i];
-            for (; i < SKYLIGHT_SH_4_BANDS_1_5PCT_FIRST * SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH; ++i)
-                line[i] = 0;
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_PRODUCT(start, count, other) \
-    for (i = 0; i < (count) * SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH; ++i) \
-        line[i] += others[other] * skylight_sh_4_bands_1_5pct_rows[(start) * \
-            SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH + i];
-            SKYLIGHT_SH_4_BANDS_1_5PCT_PRODUCTS(SKYLIGHT_SH_4_BANDS_1_5PCT_PRODUCT)
-#undef SKYLIGHT_SH_4_BANDS_1_5PCT_PRODUCT
-            memcpy(shared, x, sizeof shared);
-            ready = 1;
-        }
-        scale = skylight_sh_4_bands_1_5pct_scale(x) *
-            (skylight_sh_4_bands_1_5pct_real)SKYLIGHT_SH_4_BANDS_1_5PCT_EXPOSURE;
-        skylight_sh_4_bands_1_5pct_first(x, first);
-        for (i = 0; i < SKYLIGHT_SH_4_BANDS_1_5PCT_FIRST; ++i) first[i] *= scale;
-        skylight_sh_4_bands_1_5pct_waves((skylight_sh_4_bands_1_5pct_real)azimuth, cosines, sines);
-        skylight_sh_4_bands_1_5pct_sum(line, SKYLIGHT_SH_4_BANDS_1_5PCT_FIRST / 4, first,
-            SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH, sums);
-        skylight_sh_4_bands_1_5pct_store(sums, cosines, sines, SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS,
-            weights[s]);
-        skylight_sh_4_bands_1_5pct_finish(SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS, 1, cosines, sines,
-            weights[s]);
+    }
+#endif
+    for (; s < count; ++s) {
+        status = skylight_sh_4_bands_1_5pct_evaluate_one(rows, inputs, azimuths, s, weights[s]);
+        worst = status > worst ? status : worst;
+    }
+    return worst;
+}
+
+/* The same with the suns of each weight side by side: `weights` is [channels][weights][count]. */
+static inline int skylight_sh_4_bands_1_5pct_evaluate_columns(const skylight_sh_4_bands_1_5pct_real
+    *rows, int count,
+                                               const float *const
+                                                   inputs[SKYLIGHT_SH_4_BANDS_1_5PCT_AXES],
+                                               const float *azimuths, float *weights)
+{
+    const size_t step = count > 0 ? (size_t)count : 0;
+    int s = 0, i, status, worst = 0;
+#ifdef SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS
+    for (; s + SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS <= count; s += SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS) {
+        float out[SKYLIGHT_SH_4_BANDS_1_5PCT_CHANNELS *
+            SKYLIGHT_SH_4_BANDS_1_5PCT_WEIGHTS][SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS];
+        status = skylight_sh_4_bands_1_5pct_evaluate_suns(rows, inputs, azimuths, s, out);
+        worst = status > worst ? status : worst;
+        for (i = 0; i < SKYLIGHT_SH_4_BANDS_1_5PCT_CHANNELS * SKYLIGHT_SH_4_BANDS_1_5PCT_WEIGHTS;
+            ++i)
+            memcpy(weights + (size_t)i * step + (size_t)s, out[i], sizeof out[i]);
+    }
+#endif
+    for (; s < count; ++s) {
+        float one[SKYLIGHT_SH_4_BANDS_1_5PCT_CHANNELS][SKYLIGHT_SH_4_BANDS_1_5PCT_WEIGHTS];
+        status = skylight_sh_4_bands_1_5pct_evaluate_one(rows, inputs, azimuths, s, one);
+        worst = status > worst ? status : worst;
+        for (i = 0; i < SKYLIGHT_SH_4_BANDS_1_5PCT_CHANNELS * SKYLIGHT_SH_4_BANDS_1_5PCT_WEIGHTS;
+            ++i)
+            weights[(size_t)i * step + (size_t)s] = one[i / SKYLIGHT_SH_4_BANDS_1_5PCT_WEIGHTS][i %
+                SKYLIGHT_SH_4_BANDS_1_5PCT_WEIGHTS];
     }
     return worst;
 }
 
 /* All products of `count` numbers and `size` functions, the functions' place fastest; returns how
    many. */
-static inline int skylight_sh_4_bands_1_5pct_multiply(double *products, int count,
+static inline int skylight_sh_4_bands_1_5pct_multiply_double(double *products, int count,
     const double *functions,
-                                       int size)
+                                              int size)
 {
     int i, k;
     for (k = count - 1; k >= 0; --k) {
@@ -862,31 +1396,64 @@ static inline int skylight_sh_4_bands_1_5pct_multiply(double *products, int coun
     return count * size;
 }
 
+/* The sums of all terms in double, of the axes' functions. */
+static inline void skylight_sh_4_bands_1_5pct_sum_double(
+    const skylight_sh_4_bands_1_5pct_real *rows,
+        double functions[SKYLIGHT_SH_4_BANDS_1_5PCT_AXES][SKYLIGHT_SH_4_BANDS_1_5PCT_MOST],
+    double sums[SKYLIGHT_SH_4_BANDS_1_5PCT_CLASSES][SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH])
+{
+    static const int sizes[SKYLIGHT_SH_4_BANDS_1_5PCT_AXES] = SKYLIGHT_SH_4_BANDS_1_5PCT_SIZES;
+    double others[SKYLIGHT_SH_4_BANDS_1_5PCT_OTHERS];
+    int axis, count = 1;
+    others[0] = 1.0;
+    for (axis = 1; axis < SKYLIGHT_SH_4_BANDS_1_5PCT_AXES; ++axis)
+        count = skylight_sh_4_bands_1_5pct_multiply_double(others, count, functions[axis],
+            sizes[axis]);
+    skylight_sh_4_bands_1_5pct_sum_rows_double(rows, functions[0], others, sums);
+    (void)count;
+}
+
+/* One channel's sum in double, at a column. */
+static inline double skylight_sh_4_bands_1_5pct_mixed_double(double
+    sums[SKYLIGHT_SH_4_BANDS_1_5PCT_CLASSES][SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH],
+                                              int channel, int column, const double *factors)
+{
+    double sum = 0.0;
+    int k;
+    for (k = 0; k < SKYLIGHT_SH_4_BANDS_1_5PCT_CLASSES; ++k)
+        sum += factors[channel * SKYLIGHT_SH_4_BANDS_1_5PCT_CLASSES + k] * sums[k][column];
+    return sum;
+}
+
 /* Evaluates all bands, and their derivatives after each axis by the product rule, in double until
    they are stored: exact inside the ranges, and beyond one those at its edge. */
 static inline int skylight_sh_4_bands_1_5pct_evaluate_gradient(
-    const float inputs[SKYLIGHT_SH_4_BANDS_1_5PCT_AXES], float azimuth,
+    const skylight_sh_4_bands_1_5pct_real *rows,
+        const float inputs[SKYLIGHT_SH_4_BANDS_1_5PCT_AXES], float azimuth,
     float weights[SKYLIGHT_SH_4_BANDS_1_5PCT_CHANNELS][SKYLIGHT_SH_4_BANDS_1_5PCT_WEIGHTS],
     float
         gradient[SKYLIGHT_SH_4_BANDS_1_5PCT_AXES][SKYLIGHT_SH_4_BANDS_1_5PCT_CHANNELS]
         [SKYLIGHT_SH_4_BANDS_1_5PCT_WEIGHTS])
 {
-    static const int sizes[SKYLIGHT_SH_4_BANDS_1_5PCT_AXES] = SKYLIGHT_SH_4_BANDS_1_5PCT_SIZES;
+    static const short columns[SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS] =
+        SKYLIGHT_SH_4_BANDS_1_5PCT_COLUMNS;
     double x[SKYLIGHT_SH_4_BANDS_1_5PCT_AXES],
         functions[SKYLIGHT_SH_4_BANDS_1_5PCT_AXES][SKYLIGHT_SH_4_BANDS_1_5PCT_MOST];
-    double slopes[SKYLIGHT_SH_4_BANDS_1_5PCT_AXES][SKYLIGHT_SH_4_BANDS_1_5PCT_MOST],
-        scale[1 + SKYLIGHT_SH_4_BANDS_1_5PCT_AXES];
+    double slopes[SKYLIGHT_SH_4_BANDS_1_5PCT_AXES][SKYLIGHT_SH_4_BANDS_1_5PCT_MOST];
+    double factors[1 + SKYLIGHT_SH_4_BANDS_1_5PCT_AXES][SKYLIGHT_SH_4_BANDS_1_5PCT_FACTORS];
+    double sums[SKYLIGHT_SH_4_BANDS_1_5PCT_CLASSES][SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH];
+    double sloped[SKYLIGHT_SH_4_BANDS_1_5PCT_CLASSES][SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH];
+    double powers[SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS], power_slopes[SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS];
     skylight_sh_4_bands_1_5pct_real cosines[SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS],
         sines[SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS];
-    int axis, other, i;
-    const int status = skylight_sh_4_bands_1_5pct_evaluate(inputs, azimuth,
-        SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS, weights);
-    if (status == 2) {
-        memset(gradient, 0,
-               sizeof(float) * SKYLIGHT_SH_4_BANDS_1_5PCT_AXES * SKYLIGHT_SH_4_BANDS_1_5PCT_CHANNELS
-                   * SKYLIGHT_SH_4_BANDS_1_5PCT_WEIGHTS);
-        return 2;
-    }
+    int axis, channel, i, l, m, sunk = 0;
+    const int status =
+        skylight_sh_4_bands_1_5pct_evaluate(rows, inputs, azimuth, SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS,
+            weights);
+    memset(gradient, 0,
+           sizeof(float) * SKYLIGHT_SH_4_BANDS_1_5PCT_AXES * SKYLIGHT_SH_4_BANDS_1_5PCT_CHANNELS *
+               SKYLIGHT_SH_4_BANDS_1_5PCT_WEIGHTS);
+    if (status == 2) return 2;
     for (axis = 0; axis < SKYLIGHT_SH_4_BANDS_1_5PCT_AXES; ++axis) {
         const double low = skylight_sh_4_bands_1_5pct_slope_range[axis][0];
         const double high = skylight_sh_4_bands_1_5pct_slope_range[axis][1];
@@ -894,28 +1461,56 @@ static inline int skylight_sh_4_bands_1_5pct_evaluate_gradient(
         x[axis] = v < low ? low : v > high ? high : v;
         skylight_sh_4_bands_1_5pct_functions(axis, x[axis], functions[axis], slopes[axis]);
     }
-    skylight_sh_4_bands_1_5pct_scale_slopes(x, scale);
-    for (i = 0; i < 1 + SKYLIGHT_SH_4_BANDS_1_5PCT_AXES; ++i) scale[i] *=
-        (double)SKYLIGHT_SH_4_BANDS_1_5PCT_EXPOSURE;
-    skylight_sh_4_bands_1_5pct_waves((skylight_sh_4_bands_1_5pct_real)azimuth, cosines, sines);
-    for (axis = 0; axis < SKYLIGHT_SH_4_BANDS_1_5PCT_AXES; ++axis) {
-        double first[SKYLIGHT_SH_4_BANDS_1_5PCT_MOST], others[SKYLIGHT_SH_4_BANDS_1_5PCT_OTHERS];
-        int count = 1;
-        others[0] = 1.0;
-        for (other = 0; other < SKYLIGHT_SH_4_BANDS_1_5PCT_AXES; ++other) {
-            double one[SKYLIGHT_SH_4_BANDS_1_5PCT_MOST];
-            for (i = 0; i < sizes[other]; ++i) {
-                one[i] = functions[other][i];
-                if (other == axis) one[i] = scale[0] * slopes[axis][i] + scale[1 + axis] * one[i];
-                if (other == 0) first[i] = one[i];
-            }
-            if (other) count = skylight_sh_4_bands_1_5pct_multiply(others, count, one,
-                sizes[other]);
-        }
-        skylight_sh_4_bands_1_5pct_combine_double(first, others, cosines, sines, gradient[axis]);
-        skylight_sh_4_bands_1_5pct_finish(SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS, 0, cosines, sines,
-            gradient[axis]);
+    skylight_sh_4_bands_1_5pct_factor_slopes(x, &factors[0][0]);
+    for (axis = 0; axis < 1 + SKYLIGHT_SH_4_BANDS_1_5PCT_AXES; ++axis)
+        for (i = 0; i < SKYLIGHT_SH_4_BANDS_1_5PCT_FACTORS; ++i)
+            factors[axis][i] *= (double)SKYLIGHT_SH_4_BANDS_1_5PCT_EXPOSURE;
+    for (m = 0; m < SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS; ++m) {
+        powers[m] = 1.0;
+        power_slopes[m] = 0.0;
     }
+    {
+        double sine[2];
+        skylight_sh_4_bands_1_5pct_sine_slope(x, sine);
+        for (m = 1; m < SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS; ++m) {
+            powers[m] = powers[m - 1] * sine[0];
+            power_slopes[m] = (double)m * powers[m - 1] * sine[1];
+        }
+    }
+    skylight_sh_4_bands_1_5pct_waves((skylight_sh_4_bands_1_5pct_real)azimuth, 1, cosines, sines);
+    skylight_sh_4_bands_1_5pct_sum_double(rows, functions, sums);
+    for (axis = 0; axis < SKYLIGHT_SH_4_BANDS_1_5PCT_AXES; ++axis) {
+        double kept[SKYLIGHT_SH_4_BANDS_1_5PCT_MOST];
+        memcpy(kept, functions[axis], sizeof kept);
+        memcpy(functions[axis], slopes[axis], sizeof kept);
+        skylight_sh_4_bands_1_5pct_sum_double(rows, functions, sloped);
+        memcpy(functions[axis], kept, sizeof kept);
+        for (channel = 0; channel < SKYLIGHT_SH_4_BANDS_1_5PCT_CHANNELS; ++channel) {
+            float *const w = gradient[axis][channel];
+            for (l = 0; l < SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS; ++l) {
+                for (m = SKYLIGHT_SH_4_BANDS_1_5PCT_FIRST_ORDER(l); m <= l && columns[l] >= 0; ++m)
+                    {
+                    const int order = m < 0 ? -m : m;
+                    const int column = columns[l] + m - SKYLIGHT_SH_4_BANDS_1_5PCT_FIRST_ORDER(l);
+                    double value =
+                        powers[order] *
+                        (skylight_sh_4_bands_1_5pct_mixed_double(sloped, channel, column,
+                            factors[0]) +
+                         skylight_sh_4_bands_1_5pct_mixed_double(sums, channel, column,
+                             factors[1 + axis]));
+                    if (axis == SKYLIGHT_SH_4_BANDS_1_5PCT_SUN && !sunk)
+                        value += power_slopes[order] *
+                                 skylight_sh_4_bands_1_5pct_mixed_double(sums, channel, column,
+                                     factors[0]);
+                    skylight_sh_4_bands_1_5pct_place((skylight_sh_4_bands_1_5pct_real)value, l, m,
+                        cosines, sines, w);
+                }
+            }
+        }
+        skylight_sh_4_bands_1_5pct_finish(SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS, 0, gradient[axis]);
+    }
+    (void)power_slopes;
+    (void)sunk;
     return status;
 }
 
@@ -925,8 +1520,8 @@ SKYLIGHT_SH_4_BANDS_1_5PCT_API int skylight_sh_4_bands_1_5pct_weights(float sun_
 {
     const float skylight_sh_4_bands_1_5pct_given[SKYLIGHT_SH_4_BANDS_1_5PCT_AXES] = { sun_zenith,
         turbidity };
-    return skylight_sh_4_bands_1_5pct_evaluate(skylight_sh_4_bands_1_5pct_given, sun_azimuth,
-        SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS, weights);
+    return skylight_sh_4_bands_1_5pct_evaluate(skylight_sh_4_bands_1_5pct_rows,
+        skylight_sh_4_bands_1_5pct_given, sun_azimuth, SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS, weights);
 }
 
 SKYLIGHT_SH_4_BANDS_1_5PCT_API int skylight_sh_4_bands_1_5pct_weights_bands(float sun_zenith,
@@ -935,8 +1530,8 @@ SKYLIGHT_SH_4_BANDS_1_5PCT_API int skylight_sh_4_bands_1_5pct_weights_bands(floa
 {
     const float skylight_sh_4_bands_1_5pct_given[SKYLIGHT_SH_4_BANDS_1_5PCT_AXES] = { sun_zenith,
         turbidity };
-    return skylight_sh_4_bands_1_5pct_evaluate(skylight_sh_4_bands_1_5pct_given, sun_azimuth, bands,
-        weights);
+    return skylight_sh_4_bands_1_5pct_evaluate(skylight_sh_4_bands_1_5pct_rows,
+        skylight_sh_4_bands_1_5pct_given, sun_azimuth, bands, weights);
 }
 
 SKYLIGHT_SH_4_BANDS_1_5PCT_API int skylight_sh_4_bands_1_5pct_weights_batch(int count,
@@ -945,8 +1540,17 @@ SKYLIGHT_SH_4_BANDS_1_5PCT_API int skylight_sh_4_bands_1_5pct_weights_batch(int 
 {
     const float *const skylight_sh_4_bands_1_5pct_given[SKYLIGHT_SH_4_BANDS_1_5PCT_AXES] = {
         sun_zenith, turbidity };
-    return skylight_sh_4_bands_1_5pct_evaluate_batch(count, skylight_sh_4_bands_1_5pct_given,
-        sun_azimuth, weights);
+    return skylight_sh_4_bands_1_5pct_evaluate_batch(skylight_sh_4_bands_1_5pct_rows, count,
+        skylight_sh_4_bands_1_5pct_given, sun_azimuth, weights);
+}
+
+SKYLIGHT_SH_4_BANDS_1_5PCT_API int skylight_sh_4_bands_1_5pct_weights_columns(int count,
+    const float *sun_zenith, const float *sun_azimuth, const float *turbidity, float *weights)
+{
+    const float *const skylight_sh_4_bands_1_5pct_given[SKYLIGHT_SH_4_BANDS_1_5PCT_AXES] = {
+        sun_zenith, turbidity };
+    return skylight_sh_4_bands_1_5pct_evaluate_columns(skylight_sh_4_bands_1_5pct_rows, count,
+        skylight_sh_4_bands_1_5pct_given, sun_azimuth, weights);
 }
 
 SKYLIGHT_SH_4_BANDS_1_5PCT_API int skylight_sh_4_bands_1_5pct_weights_gradient(float sun_zenith,
@@ -958,8 +1562,8 @@ SKYLIGHT_SH_4_BANDS_1_5PCT_API int skylight_sh_4_bands_1_5pct_weights_gradient(f
 {
     const float skylight_sh_4_bands_1_5pct_given[SKYLIGHT_SH_4_BANDS_1_5PCT_AXES] = { sun_zenith,
         turbidity };
-    return skylight_sh_4_bands_1_5pct_evaluate_gradient(skylight_sh_4_bands_1_5pct_given,
-        sun_azimuth, weights, gradient);
+    return skylight_sh_4_bands_1_5pct_evaluate_gradient(skylight_sh_4_bands_1_5pct_rows,
+        skylight_sh_4_bands_1_5pct_given, sun_azimuth, weights, gradient);
 }
 
 /* The dominant light's direction, a unit vector: where the linear part of the weights, summed over

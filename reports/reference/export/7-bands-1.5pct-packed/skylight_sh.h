@@ -31,14 +31,14 @@
  *   Define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_EXPOSURE before this file (where it holds the table)
  *   to multiply all weights (1 by default).
  *
- * Accuracy, as shipped: E_mean 1.44 %, E_max 6.13 % of the least luminance of the same sky, at
+ * Accuracy, as shipped: E_mean 1.43 %, E_max 6.42 % of the least luminance of the same sky, at
  * azimuth 0.
- * The expansion rings: the least value it takes, over all directions and measured sets, is -12.8 %
+ * The expansion rings: the least value it takes, over all directions and measured sets, is -12.5 %
  * of its largest in the same set; the window below tames it.
- * Memory: 1621 bytes of constants, packed into few bytes (a fast table takes more and less time).
+ * Memory: 1103 bytes of constants, packed into few bytes (a fast table takes more and less time).
  *
  * Provenance
- *   skylight-sh 0.1.0, config preetham 7738be1e848979ca, table 7-bands-1.5pct-packed
+ *   skylight-sh 0.1.0, config preetham 50c449acd9f31f25, table 7-bands-1.5pct-packed
  */
 #ifdef __cplusplus
 #if __cplusplus < 201103L && !defined(_MSC_VER)
@@ -65,7 +65,7 @@ before."
 #endif
 
 #ifndef SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_H
-#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_H 0xc5bbb1de
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_H 0x6971708a
 
 #include <math.h>
 #include <stdint.h>
@@ -91,8 +91,9 @@ before."
 #define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CHANNELS 3
 #define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_AXES 2
 #define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_UNIT "cd/m2"
-#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_E_MEAN 1.441000e-02
-#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_E_MAX 6.126000e-02
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_E_MEAN 1.426000e-02
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_E_MAX 6.417000e-02
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_UNPACKED 1376
 #define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_SUN_ZENITH_MIN 0.0f
 #define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_SUN_ZENITH_MAX 1.57079637f
 #define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_TURBIDITY_MIN 2.5f
@@ -109,13 +110,19 @@ SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_API int skylight_sh_7_bands_1_5pct_packed_weig
     sun_zenith, float sun_azimuth, float turbidity, int bands,
     float
     weights[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CHANNELS][SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WEIGHTS]);
-/* Evaluates `count` suns from arrays; returns the largest status. No faster
-   than single calls. */
+/* Evaluates `count` suns from arrays; returns the largest status. Unpacks
+   the table once, SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_UNPACKED floats on the stack. */
 SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_API int skylight_sh_7_bands_1_5pct_packed_weights_batch(int count,
     const float *sun_zenith, const float *sun_azimuth, const float *turbidity,
     float
     (*weights)[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CHANNELS]
     [SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WEIGHTS]);
+/* The same with the suns of each weight side by side:
+   [SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CHANNELS][SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WEIGHTS][count].
+       */
+SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_API int skylight_sh_7_bands_1_5pct_packed_weights_columns(int
+    count, const float *sun_zenith, const float *sun_azimuth, const float *turbidity,
+    float *weights);
 /* Evaluates all bands and their derivatives after each axis (sun_zenith,
    turbidity), per unit of the axis; beyond a range, those at its edge. */
 SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_API int skylight_sh_7_bands_1_5pct_packed_weights_gradient(float
@@ -125,6 +132,37 @@ SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_API int skylight_sh_7_bands_1_5pct_packed_weig
     float
     gradient[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_AXES][SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CHANNELS]
     [SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WEIGHTS]);
+/* Unpacks the table into memory of the caller's, SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_UNPACKED
+   floats, for the calls below. */
+SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_API void skylight_sh_7_bands_1_5pct_packed_unpack(float
+    memory[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_UNPACKED]);
+/* Evaluates all bands of an unpacked table: far faster than of the packed
+   one. */
+SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_API int skylight_sh_7_bands_1_5pct_packed_unpacked_weights(const
+    float memory[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_UNPACKED], float sun_zenith, float sun_azimuth,
+    float turbidity, float
+    weights[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CHANNELS][SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WEIGHTS]);
+/* The same for the first `bands` bands. */
+SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_API int
+    skylight_sh_7_bands_1_5pct_packed_unpacked_weights_bands(const float
+    memory[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_UNPACKED], float sun_zenith, float sun_azimuth,
+    float turbidity, int bands, float
+    weights[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CHANNELS][SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WEIGHTS]);
+/* The same for `count` suns from arrays; returns the largest status. */
+SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_API int
+    skylight_sh_7_bands_1_5pct_packed_unpacked_weights_batch(const float
+    memory[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_UNPACKED], int count, const float *sun_zenith,
+    const float *sun_azimuth, const float *turbidity,
+    float
+    (*weights)[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CHANNELS]
+    [SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WEIGHTS]);
+/* The same as
+ * [SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CHANNELS][SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WEIGHTS][count].
+ * */
+SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_API int
+    skylight_sh_7_bands_1_5pct_packed_unpacked_weights_columns(const float
+    memory[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_UNPACKED], int count, const float *sun_zenith,
+    const float *sun_azimuth, const float *turbidity, float *weights);
 /* Unit vector of the dominant light. Returns 0, or 1 (and straight up) where there is none. */
 #define skylight_sh_7_bands_1_5pct_packed_dominant(weights, direction) \
     skylight_sh_7_bands_1_5pct_packed_dominant_of(&(weights)[0][0], direction)
@@ -141,7 +179,7 @@ SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_API void skylight_sh_7_bands_1_5pct_packed_win
     float
     weights[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CHANNELS][SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WEIGHTS]);
 
-#elif SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_H != 0xc5bbb1de
+#elif SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_H != 0x6971708a
 #error "Another table has the prefix skylight_sh_7_bands_1_5pct_packed_7_bands_1_5pct_packed \
 already: export one of them under a prefix of its own."
 #endif /* SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_H */
@@ -155,11 +193,13 @@ typedef float skylight_sh_7_bands_1_5pct_packed_real;
 
 /* Functions of the first axis, in fours; products of the other axes'
    functions. */
-#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_FIRST 12
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_FIRST 8
 #define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_OTHERS 5
-#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_SIZES { 10, 5 }
-#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_MOST 12
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_SIZES { 7, 5 }
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_MOST 8
 #define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_AZIMUTH 0.0f
+/* The axis of the sun's zenith angle. */
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_SUN 0
 /* The channels' luminance. */
 #define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_LUMINANCE { 0.212672845f, 0.715152144f, 0.0721749961f }
 /* What an even ground reflects of the weight l = 1, m = 0, and its own
@@ -177,132 +217,255 @@ static const skylight_sh_7_bands_1_5pct_packed_real
     skylight_sh_7_bands_1_5pct_packed_range[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_AXES][2] = { { 0.0f,
     1.57079637f }, { 2.5f, 6.0f } };
 
+/* Classes; a row's numbers, one a sum, and those of the first 1, 2, ..
+   bands; room for a class's sums. */
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASSES 3
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_OTHER_CLASSES(CLASS) CLASS(1) CLASS(2)
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_FACTORS 9
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WIDTH 28
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WIDTHS { 1, 3, 6, 10, 15, 21, 28 }
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_ROOM 32
+/* All rows; of each class the first row, how many, and the place of its
+   first product. */
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_TERMS 49
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_STARTS { 0, 24, 35 }
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_COUNTS { 24, 11, 14 }
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_PLACES { 0, 24, 36 }
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_PRODUCTS_ROOM 56
+/* Of each class and product of the other axes' functions: how many
+   functions of the first axis it has. */
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_LENGTHS { { 7, 7, 6, 3, 1 }, { 4, 4, 3, 0, 0 }, { 6, 5, \
+    2, 1, 0 } }
+/* The same: of each that has any, class, place of the first product, how
+   many, the other axes' product. */
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_PRODUCTS(PRODUCT) \
+    PRODUCT(0, 0, 7, 0) \
+    PRODUCT(0, 7, 7, 1) \
+    PRODUCT(0, 14, 6, 2) \
+    PRODUCT(0, 20, 3, 3) \
+    PRODUCT(0, 23, 1, 4) \
+    PRODUCT(1, 24, 4, 0) \
+    PRODUCT(1, 28, 4, 1) \
+    PRODUCT(1, 32, 3, 2) \
+    PRODUCT(2, 36, 6, 0) \
+    PRODUCT(2, 42, 5, 1) \
+    PRODUCT(2, 47, 2, 2) \
+    PRODUCT(2, 49, 1, 3)
+/* Where sums go: of each degree, the first column, or -1 where it carries
+   nothing. */
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_COLUMNS { 0, 1, 3, 6, 10, 15, 21 }
+/* The same for vectors of four: places, two vectors of sums and the numbers
+   of both, order. */
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_FOURS 7
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_STORES(BAND, NOTHING, MINUS, PLUS) \
+    BAND(0, PLUS(0, 0, 0, 0, 1, 2, 3, 0)) \
+    BAND(1, MINUS(1, 0, 0, 2, 1, 0, 0, 1) PLUS(2, 0, 1, 1, 2, 3, 4, 0)) \
+    BAND(2, MINUS(4, 0, 1, 5, 4, 3, 2, 2) PLUS(6, 0, 1, 3, 4, 5, 6, 0)) \
+    BAND(3, MINUS(9, 1, 2, 5, 4, 3, 2, 3) PLUS(12, 1, 2, 2, 3, 4, 5, 0)) \
+    BAND(4, MINUS(16, 2, 3, 6, 5, 4, 3, 4) PLUS(20, 2, 3, 2, 3, 4, 5, 0) PLUS(21, 2, 3, 3, 4, 5, \
+        6, 1)) \
+    BAND(5, MINUS(25, 4, 5, 4, 3, 2, 1, 5) MINUS(26, 4, 4, 3, 2, 1, 0, 4) PLUS(30, 3, 4, 3, 4, 5, \
+        6, 0) PLUS(32, 4, 5, 1, 2, 3, 4, 2)) \
+    BAND(6, MINUS(36, 6, 6, 3, 2, 1, 0, 6) MINUS(38, 5, 6, 5, 4, 3, 2, 4) PLUS(42, 5, 6, 1, 2, 3, \
+        4, 0) PLUS(45, 6, 6, 0, 1, 2, 3, 3))
+
 /* Runs of numbers, one a product of the other axes' functions, and their
    profiles; what one step is worth. */
 #define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_RUNS 5
-#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_RUN_PROFILE { 4, 0, -3, -7, -13 }
-#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CHANNEL_PROFILE { -3, -3, -3 }
-#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_STEP 0.00129699707f
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_RUN_PROFILE { 3, 1, -3, -9, -15 }
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASS_PROFILE { -2, -10, -7 }
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_STEP 0.000785827637f
 
 /* Whole numbers as Rice codes. */
-static const unsigned char skylight_sh_7_bands_1_5pct_packed_stream[1429] = {
-    167, 70, 199, 86, 49, 255, 47, 0, 7, 64, 199, 238, 224, 255, 13, 7, 209, 234, 46, 252, 159, 2,
-    87, 104, 252, 184, 160, 241, 255, 165, 126, 87, 197, 37, 4, 252, 151, 248, 77, 181, 248, 127,
-    178, 26, 68, 13, 242, 255, 134, 190, 11, 253, 2, 150, 184, 254, 255, 75, 222, 155, 60, 254, 143,
-    175, 157, 255, 183, 198, 248, 25, 239, 247, 63, 128, 189, 207, 153, 241, 45, 85, 136, 81, 43,
-    148, 2, 154, 131, 123, 56, 210, 114, 61, 73, 66, 86, 157, 32, 91, 28, 114, 221, 244, 2, 119,
-    104, 79, 243, 70, 144, 137, 95, 23, 131, 70, 104, 217, 243, 250, 245, 170, 38, 32, 187, 209,
-    243, 251, 126, 241, 127, 248, 215, 121, 94, 120, 244, 36, 174, 199, 70, 127, 179, 40, 27, 129,
-    130, 213, 2, 114, 65, 134, 95, 169, 98, 138, 192, 49, 197, 184, 130, 34, 65, 61, 67, 168, 177,
-    38, 109, 157, 112, 159, 77, 9, 33, 4, 131, 113, 154, 118, 156, 150, 133, 130, 204, 192, 246, 65,
-    255, 125, 121, 137, 147, 234, 8, 41, 40, 190, 183, 82, 25, 227, 122, 241, 138, 201, 77, 115,
-    155, 225, 213, 244, 105, 115, 74, 100, 61, 43, 16, 40, 188, 34, 170, 19, 42, 158, 248, 125, 236,
-    104, 9, 101, 40, 43, 26, 25, 129, 23, 26, 213, 164, 29, 207, 253, 217, 255, 29, 14, 177, 253,
-    89, 91, 126, 174, 228, 110, 63, 108, 116, 134, 176, 157, 16, 212, 118, 146, 169, 23, 13, 162,
-    165, 80, 90, 97, 88, 212, 243, 217, 77, 56, 232, 134, 72, 217, 114, 8, 171, 64, 6, 118, 64, 90,
-    224, 177, 92, 195, 105, 161, 197, 44, 23, 160, 230, 211, 253, 251, 211, 167, 15, 238, 221, 19,
-    34, 75, 227, 65, 40, 93, 131, 33, 75, 146, 220, 81, 231, 164, 89, 20, 41, 25, 201, 203, 237,
-    163, 113, 168, 156, 44, 74, 47, 113, 250, 9, 87, 160, 197, 200, 39, 200, 211, 49, 210, 166, 240,
-    181, 100, 27, 114, 1, 21, 244, 94, 91, 234, 16, 209, 215, 113, 251, 131, 4, 247, 217, 238, 124,
-    247, 35, 243, 59, 247, 96, 98, 160, 237, 189, 253, 77, 15, 153, 179, 132, 137, 180, 118, 24,
-    173, 195, 201, 116, 115, 252, 118, 104, 239, 171, 188, 71, 140, 186, 158, 12, 253, 33, 111, 144,
-    214, 240, 44, 159, 196, 223, 60, 189, 103, 102, 162, 150, 182, 221, 3, 176, 138, 69, 151, 189,
-    240, 145, 44, 146, 112, 113, 22, 200, 74, 93, 233, 116, 169, 202, 13, 211, 172, 63, 232, 245,
-    210, 193, 120, 49, 66, 150, 166, 87, 124, 104, 101, 51, 98, 178, 225, 226, 209, 5, 255, 218, 42,
-    122, 252, 194, 152, 147, 198, 22, 246, 58, 61, 97, 99, 100, 228, 165, 226, 160, 243, 150, 143,
-    204, 211, 217, 197, 154, 118, 10, 142, 104, 211, 92, 235, 155, 137, 254, 20, 34, 197, 133, 29,
-    163, 190, 2, 152, 128, 153, 92, 179, 144, 15, 88, 3, 18, 57, 198, 235, 213, 43, 65, 41, 17, 122,
-    199, 49, 99, 136, 148, 69, 30, 134, 69, 8, 140, 34, 48, 65, 200, 90, 14, 224, 35, 164, 47, 230,
-    177, 121, 68, 92, 70, 85, 210, 164, 240, 159, 212, 90, 91, 9, 21, 1, 222, 17, 185, 6, 107, 216,
-    76, 73, 139, 183, 15, 202, 235, 33, 70, 139, 151, 120, 252, 150, 35, 249, 183, 6, 224, 123, 253,
-    133, 97, 185, 28, 190, 167, 184, 112, 252, 101, 180, 238, 107, 204, 212, 177, 50, 134, 186, 114,
-    229, 0, 105, 199, 238, 127, 230, 87, 62, 253, 57, 174, 174, 252, 77, 185, 158, 210, 110, 227,
-    150, 190, 175, 125, 124, 89, 103, 130, 82, 99, 101, 175, 119, 193, 58, 119, 169, 202, 34, 87,
-    245, 195, 139, 14, 158, 229, 154, 40, 49, 205, 213, 32, 207, 189, 85, 205, 182, 115, 242, 106,
-    190, 205, 185, 193, 65, 222, 79, 178, 76, 204, 22, 107, 158, 57, 85, 74, 67, 194, 102, 56, 239,
-    140, 80, 7, 83, 181, 166, 121, 241, 26, 98, 142, 111, 6, 97, 69, 161, 232, 230, 84, 48, 145,
-    106, 121, 185, 37, 76, 97, 176, 132, 164, 78, 27, 204, 181, 243, 49, 221, 36, 53, 186, 120, 108,
-    27, 204, 23, 155, 28, 166, 134, 148, 60, 94, 9, 127, 130, 41, 156, 146, 65, 146, 213, 146, 194,
-    20, 134, 176, 140, 47, 73, 124, 142, 4, 37, 208, 172, 170, 3, 23, 153, 39, 81, 104, 49, 25, 21,
-    73, 104, 26, 98, 102, 64, 202, 147, 204, 69, 238, 176, 3, 28, 9, 96, 174, 20, 32, 163, 177, 19,
-    114, 84, 210, 52, 138, 147, 101, 198, 148, 212, 214, 90, 9, 21, 34, 246, 207, 249, 83, 166, 237,
-    171, 156, 168, 223, 135, 130, 163, 27, 127, 182, 7, 112, 224, 123, 158, 223, 159, 115, 200, 128,
-    45, 246, 129, 59, 79, 125, 121, 220, 232, 209, 183, 172, 30, 241, 247, 145, 247, 35, 188, 5,
-    182, 7, 57, 169, 149, 253, 173, 139, 63, 13, 151, 188, 155, 231, 158, 233, 239, 199, 65, 157,
-    55, 59, 236, 13, 48, 155, 123, 63, 60, 248, 194, 167, 194, 40, 205, 137, 69, 53, 44, 237, 58,
-    156, 107, 238, 107, 58, 187, 229, 185, 165, 185, 235, 161, 79, 150, 43, 83, 227, 174, 70, 135,
-    53, 240, 202, 143, 234, 224, 219, 134, 199, 107, 253, 88, 142, 69, 126, 187, 122, 54, 186, 231,
-    160, 189, 106, 79, 240, 53, 11, 39, 60, 173, 208, 139, 173, 243, 152, 117, 10, 75, 161, 54, 147,
-    117, 10, 143, 88, 204, 52, 149, 122, 205, 8, 107, 61, 132, 13, 100, 55, 10, 120, 74, 70, 108,
-    102, 54, 137, 236, 90, 202, 27, 49, 165, 4, 216, 163, 201, 157, 40, 96, 130, 233, 218, 130, 75,
-    203, 66, 137, 164, 34, 161, 76, 57, 213, 196, 10, 233, 195, 165, 26, 143, 64, 234, 132, 121, 20,
-    28, 218, 124, 68, 155, 219, 210, 65, 113, 17, 26, 148, 62, 132, 153, 73, 10, 17, 94, 162, 6,
-    177, 129, 136, 5, 12, 121, 103, 72, 136, 192, 26, 27, 13, 53, 75, 66, 12, 149, 107, 176, 200,
-    49, 25, 34, 54, 9, 133, 38, 78, 2, 79, 4, 224, 104, 133, 211, 66, 116, 134, 83, 128, 178, 34,
-    137, 133, 34, 84, 49, 112, 146, 101, 20, 101, 162, 32, 138, 45, 165, 18, 42, 67, 132, 183, 108,
-    157, 180, 28, 25, 175, 202, 126, 4, 134, 247, 112, 222, 215, 75, 92, 188, 128, 78, 110, 61, 49,
-    220, 149, 247, 3, 112, 190, 225, 184, 239, 69, 24, 186, 248, 61, 69, 27, 93, 229, 7, 23, 204,
-    84, 255, 84, 45, 186, 223, 95, 6, 143, 118, 191, 227, 244, 179, 126, 210, 68, 249, 226, 124,
-    220, 123, 112, 114, 134, 215, 199, 249, 30, 134, 49, 110, 198, 67, 206, 204, 54, 238, 156, 12,
-    87, 70, 186, 113, 216, 143, 28, 113, 199, 233, 50, 11, 68, 16, 210, 222, 81, 186, 147, 245, 23,
-    231, 167, 74, 219, 48, 54, 62, 107, 178, 140, 14, 31, 31, 238, 239, 14, 180, 102, 153, 158, 251,
-    254, 132, 41, 207, 193, 177, 76, 12, 151, 23, 39, 72, 47, 245, 228, 245, 52, 30, 238, 73, 39,
-    95, 27, 58, 214, 171, 78, 106, 129, 92, 34, 33, 23, 31, 181, 78, 250, 180, 225, 222, 133, 83,
-    177, 133, 231, 220, 106, 63, 165, 237, 130, 160, 169, 101, 99, 117, 58, 177, 176, 148, 128, 30,
-    176, 89, 52, 162, 12, 32, 94, 125, 128, 235, 97, 184, 148, 111, 69, 56, 74, 34, 202, 33, 69,
-    213, 69, 32, 10, 75, 17, 186, 73, 70, 19, 144, 64, 222, 117, 34, 70, 74, 9, 110, 128, 50, 67,
-    162, 224, 98, 170, 12, 175, 10, 19, 66, 0, 38, 150, 98, 160, 20, 156, 92, 170, 2, 184, 44, 170,
-    13, 201, 68, 138, 10, 42, 149, 24, 122, 8, 40, 96, 230, 32, 17, 73, 37, 147, 131, 166, 147, 46,
-    36, 48, 83, 82, 22, 23, 142, 21, 68, 64, 40, 54, 5, 158, 176, 128, 32, 192, 182, 8, 17, 202,
-    128, 136, 73, 142, 130, 48, 53, 130, 113, 14, 153, 116, 34, 2
+static const unsigned char skylight_sh_7_bands_1_5pct_packed_stream[833] = {
+    165, 66, 102, 198, 255, 14, 55, 59, 89, 230, 241, 47, 23, 47, 70, 142, 159, 76, 140, 31, 202,
+    241, 71, 97, 245, 243, 96, 159, 9, 255, 6, 188, 45, 126, 126, 208, 157, 248, 58, 56, 42, 52, 50,
+    52, 250, 72, 219, 63, 122, 208, 97, 220, 207, 196, 202, 48, 205, 65, 76, 88, 90, 169, 210, 76,
+    78, 7, 182, 113, 176, 136, 43, 131, 138, 148, 29, 0, 37, 90, 91, 196, 226, 213, 7, 27, 104, 226,
+    67, 81, 188, 10, 151, 165, 245, 46, 152, 193, 88, 49, 57, 98, 209, 18, 132, 40, 51, 54, 52, 56,
+    233, 182, 156, 27, 149, 156, 86, 60, 100, 207, 4, 222, 213, 144, 169, 22, 38, 165, 237, 185,
+    230, 225, 156, 61, 209, 181, 51, 55, 146, 58, 89, 153, 233, 87, 132, 46, 138, 226, 218, 125,
+    216, 180, 99, 141, 67, 44, 137, 77, 44, 187, 139, 155, 98, 52, 79, 96, 245, 40, 65, 41, 173, 69,
+    173, 80, 140, 51, 213, 36, 78, 150, 72, 14, 41, 197, 88, 152, 85, 129, 41, 234, 179, 35, 0, 134,
+    24, 97, 98, 108, 105, 128, 189, 124, 245, 254, 40, 55, 53, 69, 45, 204, 189, 58, 75, 226, 46,
+    198, 86, 242, 200, 202, 32, 179, 120, 188, 246, 152, 206, 77, 215, 60, 222, 98, 81, 118, 150,
+    202, 151, 226, 225, 168, 202, 36, 246, 51, 187, 182, 146, 216, 86, 97, 33, 237, 8, 223, 157,
+    208, 163, 179, 140, 248, 181, 116, 133, 205, 211, 121, 222, 19, 34, 50, 46, 190, 234, 66, 86,
+    28, 97, 52, 224, 18, 22, 169, 163, 162, 105, 50, 200, 66, 6, 194, 66, 26, 3, 189, 116, 205, 65,
+    244, 199, 97, 105, 97, 36, 20, 71, 47, 100, 85, 176, 38, 29, 62, 206, 2, 49, 6, 190, 182, 76,
+    120, 120, 49, 157, 231, 246, 167, 108, 141, 2, 179, 54, 158, 47, 79, 117, 177, 33, 245, 59, 160,
+    168, 61, 83, 86, 216, 69, 59, 152, 103, 152, 71, 71, 234, 235, 155, 254, 83, 172, 51, 145, 238,
+    125, 252, 214, 72, 155, 218, 167, 174, 84, 215, 133, 244, 250, 120, 118, 72, 21, 125, 153, 23,
+    237, 12, 99, 56, 148, 95, 227, 241, 80, 238, 56, 183, 155, 37, 171, 157, 241, 114, 149, 98, 42,
+    148, 222, 166, 217, 81, 90, 134, 244, 12, 34, 162, 120, 178, 55, 129, 130, 193, 162, 119, 167,
+    27, 219, 200, 10, 131, 144, 192, 80, 167, 214, 145, 220, 80, 148, 24, 16, 164, 249, 201, 147,
+    115, 33, 52, 197, 32, 249, 36, 57, 58, 186, 204, 85, 88, 135, 199, 98, 18, 135, 152, 247, 218,
+    74, 227, 253, 124, 162, 34, 188, 124, 126, 61, 21, 161, 156, 126, 126, 159, 169, 169, 88, 239,
+    73, 13, 242, 157, 34, 234, 65, 185, 17, 165, 189, 85, 193, 177, 17, 66, 193, 63, 201, 247, 7,
+    137, 109, 187, 179, 239, 229, 133, 5, 246, 179, 57, 37, 161, 34, 204, 190, 48, 86, 47, 235, 33,
+    150, 89, 77, 153, 128, 126, 219, 63, 219, 18, 165, 129, 174, 118, 226, 10, 205, 157, 190, 136,
+    117, 88, 227, 168, 182, 31, 236, 48, 16, 40, 75, 68, 81, 81, 52, 249, 111, 106, 108, 138, 113,
+    54, 30, 83, 64, 213, 231, 170, 57, 148, 50, 210, 158, 141, 68, 230, 65, 229, 35, 141, 29, 201,
+    118, 48, 32, 72, 65, 90, 113, 133, 245, 66, 192, 128, 10, 53, 54, 35, 181, 73, 62, 207, 73, 35,
+    139, 210, 141, 158, 194, 33, 40, 55, 6, 114, 42, 248, 25, 96, 99, 246, 241, 170, 26, 69, 158,
+    196, 200, 121, 175, 181, 84, 196, 72, 184, 243, 242, 126, 226, 53, 191, 16, 40, 32, 237, 232,
+    218, 191, 166, 131, 104, 111, 201, 82, 182, 232, 130, 99, 17, 42, 250, 183, 87, 76, 181, 55,
+    157, 129, 170, 147, 93, 242, 233, 26, 109, 153, 233, 229, 71, 43, 133, 170, 211, 245, 146, 90,
+    74, 237, 77, 204, 122, 195, 216, 94, 133, 101, 138, 54, 22, 42, 35, 239, 251, 250, 209, 183, 79,
+    97, 9, 54, 62, 187, 51, 100, 77, 92, 134, 206, 1, 133, 34, 149, 179, 208, 81, 71, 219, 36, 81,
+    0, 27, 70, 73, 127, 141, 159, 88, 222, 144, 252, 10, 199, 20, 208, 58, 195, 123, 202, 68, 34,
+    75, 182, 73, 7, 58, 93, 203, 200, 4, 229, 21, 217, 8, 95, 207, 48, 28, 128, 200, 88, 62, 81, 36,
+    42, 142, 20, 231, 148, 180, 103, 145, 156, 56, 210, 154, 72, 65, 52, 158, 98, 41, 16, 144, 144,
+    27, 48, 5, 233, 240, 47, 28, 51, 172, 168, 133, 186, 48, 85, 68, 18, 89, 16, 62, 172, 28, 20,
+    194, 162, 68, 64, 240, 184, 15, 129, 10, 177, 150, 1, 96, 142, 6
 };
 
-/* What all weights share: the closed form preetham_zenith. */
-static inline skylight_sh_7_bands_1_5pct_packed_real skylight_sh_7_bands_1_5pct_packed_scale(const
-    skylight_sh_7_bands_1_5pct_packed_real *x)
+/* What all weights share: the closed form preetham_classes. */
+static const unsigned short skylight_sh_7_bands_1_5pct_packed_short[60] = { 40453, 4971, 945, 105,
+    24192, 2155, 420, 15, 1, 1787, 1463, 3554, 4275, 25, 3125, 227, 53251, 1206, 25771, 67, 3703, 5,
+    275, 4214, 15346, 61, 897, 26756, 317, 4153, 667, 516, 26688, 7332, 4, 2125, 641, 8989, 33, 452,
+    166, 2903, 11693, 375, 6377, 21196, 209, 3202, 6052, 394, 25886, 993, 7344, 79, 2102, 441,
+    16537, 109, 529, 41556 };
+
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_EARLY 16
+
+static inline void skylight_sh_7_bands_1_5pct_packed_begin_factors(const
+    skylight_sh_7_bands_1_5pct_packed_real *x, skylight_sh_7_bands_1_5pct_packed_real *early)
 {
-    const float chi = (0.444444448f - x[1] * 0.00833333377f) * (3.14159274f - 2.0f * x[0]);
+    const float chi = (0.888888896f - x[1] * 0.0166666675f) * (1.57079637f - x[0]);
     const float square = chi * chi;
-    const float tan_above = chi * (105.0f - 10.0f * square);
-    const float tan_below = 105.0f - square * (45.0f - square);
-    const float zenith = (4.04530001f * x[1] - 4.97100019f) * tan_above + (2.41919994f -
-        0.215499997f * x[1]) * tan_below;
-    const float a = 0.1787f * x[1] + (-1.46300006f);
-    const float b = (-0.355399996f) * x[1] + 0.42750001f;
-    const float up = 1.0f + b * (0.25f + b * 0.03125f);
+    early[0] = (1.0f * skylight_sh_7_bands_1_5pct_packed_short[2]) - square * ((1.0f *
+        skylight_sh_7_bands_1_5pct_packed_short[6]) - (1.0f *
+        skylight_sh_7_bands_1_5pct_packed_short[7]) * square);
+    early[1] = ((0.100000001f * skylight_sh_7_bands_1_5pct_packed_short[0]) * x[1] - (1.0f *
+        skylight_sh_7_bands_1_5pct_packed_short[1])) * (chi * ((1.0f *
+        skylight_sh_7_bands_1_5pct_packed_short[2]) - square * ((1.0f *
+        skylight_sh_7_bands_1_5pct_packed_short[3]) - square))) + ((0.100000001f *
+        skylight_sh_7_bands_1_5pct_packed_short[4]) - (0.100000001f *
+        skylight_sh_7_bands_1_5pct_packed_short[5]) * x[1]) * early[0];
+    const float part_1 = (-9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[11]) * x[1] +
+        (9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[12]);
+    const float up = (1.0f * skylight_sh_7_bands_1_5pct_packed_short[8]) + part_1 * ((0.00999999978f
+        * skylight_sh_7_bands_1_5pct_packed_short[13]) + part_1 * (9.99999975e-06f *
+        skylight_sh_7_bands_1_5pct_packed_short[14]));
     const float up2 = up * up;
-    const float up4 = up2 * up2;
-    const float c = (-0.0227000006f) * x[1] + 5.32509995f;
-    const float d = 0.1206f * x[1] + (-2.57710004f);
-    const float y = d * x[0];
-    const float halo = 1.0f + y * (0.125f + y * 0.0078125f);
-    const float halo2 = halo * halo;
-    const float halo4 = halo2 * halo2;
-    const float halo8 = halo4 * halo4;
-    const float e = (-0.0670000017f) * x[1] + 0.370299995f;
+    early[2] = (1.0f * skylight_sh_7_bands_1_5pct_packed_short[8]) + ((9.99999975e-05f *
+        skylight_sh_7_bands_1_5pct_packed_short[9]) * x[1] + (-0.00100000005f *
+        skylight_sh_7_bands_1_5pct_packed_short[10])) * (up2 * up2);
+    early[3] = (-9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[15]) * x[1] +
+        (9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[16]);
+    const float y = ((9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[17]) * x[1] +
+        (-9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[18])) * x[0] * (0.00999999978f *
+        skylight_sh_7_bands_1_5pct_packed_short[13]);
+    const float halo = 1.0f + y * (0.99999845f + y * (0.499975085f + y * (0.166515172f + y *
+        (0.0412233174f + y * (0.00765432511f + y * 0.000849007862f)))));
+    early[4] = halo * halo;
     const float z = x[0] * x[0];
-    const float cosine = 1.0f - z * (0.5f - z * (0.0416666679f - z * 0.00138888892f));
-    return 1000.0f * zenith / (tan_below * (1.0f + a * up4) * (1.0f + c * halo8 + e * (cosine *
-        cosine)));
+    const float cosine = (1.0f * skylight_sh_7_bands_1_5pct_packed_short[8]) - z * ((0.100000001f *
+        skylight_sh_7_bands_1_5pct_packed_short[21]) - z * (9.99999975e-06f *
+        skylight_sh_7_bands_1_5pct_packed_short[14]));
+    const float cosine2 = cosine * cosine;
+    early[5] = ((-0.00100000005f * skylight_sh_7_bands_1_5pct_packed_short[19]) * x[1] +
+        (9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[20])) * cosine2;
+    early[6] = (((((9.99999975e-06f * skylight_sh_7_bands_1_5pct_packed_short[22]) * x[1] +
+        (-9.99999975e-06f * skylight_sh_7_bands_1_5pct_packed_short[23])) * x[1] + (9.99999975e-06f
+        * skylight_sh_7_bands_1_5pct_packed_short[24])) * x[0] + (((-9.99999975e-05f *
+        skylight_sh_7_bands_1_5pct_packed_short[25]) * x[1] + (9.99999975e-05f *
+        skylight_sh_7_bands_1_5pct_packed_short[26])) * x[1] + (-9.99999975e-06f *
+        skylight_sh_7_bands_1_5pct_packed_short[27]))) * x[0] + (((9.99999975e-06f *
+        skylight_sh_7_bands_1_5pct_packed_short[28]) * x[1] + (-9.99999975e-06f *
+        skylight_sh_7_bands_1_5pct_packed_short[29])) * x[1] + (9.99999975e-05f *
+        skylight_sh_7_bands_1_5pct_packed_short[30]))) * x[0] + ((9.99999975e-06f *
+        skylight_sh_7_bands_1_5pct_packed_short[31]) * x[1] + (9.99999975e-06f *
+        skylight_sh_7_bands_1_5pct_packed_short[32]));
+    early[7] = (9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[13]) * x[1] +
+        (9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[33]);
+    early[8] = (-9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[34]) * x[1] +
+        (9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[35]);
+    const float y_2 = ((-9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[36]) * x[1] +
+        (-9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[37])) * x[0] * (0.00999999978f *
+        skylight_sh_7_bands_1_5pct_packed_short[13]);
+    const float halo_2 = 1.0f + y_2 * (0.99999845f + y_2 * (0.499975085f + y_2 * (0.166515172f + y_2
+        * (0.0412233174f + y_2 * (0.00765432511f + y_2 * 0.000849007862f)))));
+    early[9] = halo_2 * halo_2;
+    const float z_2 = x[0] * x[0];
+    const float cosine_2 = (1.0f * skylight_sh_7_bands_1_5pct_packed_short[8]) - z_2 *
+        ((0.100000001f * skylight_sh_7_bands_1_5pct_packed_short[21]) - z_2 * (9.99999975e-06f *
+        skylight_sh_7_bands_1_5pct_packed_short[14]));
+    const float cosine2_2 = cosine_2 * cosine_2;
+    early[10] = ((-9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[38]) * x[1] +
+        (9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[39])) * cosine2_2;
+    early[11] = (((((9.99999975e-06f * skylight_sh_7_bands_1_5pct_packed_short[40]) * x[1] +
+        (-9.99999975e-06f * skylight_sh_7_bands_1_5pct_packed_short[41])) * x[1] + (9.99999975e-06f
+        * skylight_sh_7_bands_1_5pct_packed_short[42])) * x[0] + (((-9.99999975e-06f *
+        skylight_sh_7_bands_1_5pct_packed_short[43]) * x[1] + (9.99999975e-06f *
+        skylight_sh_7_bands_1_5pct_packed_short[44])) * x[1] + (-9.99999975e-06f *
+        skylight_sh_7_bands_1_5pct_packed_short[45]))) * x[0] + (((9.99999975e-06f *
+        skylight_sh_7_bands_1_5pct_packed_short[46]) * x[1] + (-9.99999975e-06f *
+        skylight_sh_7_bands_1_5pct_packed_short[47])) * x[1] + (9.99999975e-06f *
+        skylight_sh_7_bands_1_5pct_packed_short[48]))) * x[0] + ((9.99999975e-06f *
+        skylight_sh_7_bands_1_5pct_packed_short[49]) * x[1] + (9.99999975e-06f *
+        skylight_sh_7_bands_1_5pct_packed_short[50]));
+    early[12] = (9.99999975e-06f * skylight_sh_7_bands_1_5pct_packed_short[51]) * x[1] +
+        (9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[52]);
+    early[13] = (-9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[53]) * x[1] +
+        (9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[54]);
+    const float y_3 = ((-9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[55]) * x[1] +
+        (-9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[56])) * x[0] * (0.00999999978f *
+        skylight_sh_7_bands_1_5pct_packed_short[13]);
+    const float halo_3 = 1.0f + y_3 * (0.99999845f + y_3 * (0.499975085f + y_3 * (0.166515172f + y_3
+        * (0.0412233174f + y_3 * (0.00765432511f + y_3 * 0.000849007862f)))));
+    early[14] = halo_3 * halo_3;
+    early[15] = ((-9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[57]) * x[1] +
+        (9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[58])) * cosine2_2;
+    (void)x;
+    (void)early;
 }
 
-/* The functions of sun_zenith (change of variable: reciprocal); 0 where
-   there is none. */
+/* The rest of it. */
+static inline void skylight_sh_7_bands_1_5pct_packed_end_factors(const
+    skylight_sh_7_bands_1_5pct_packed_real *x, const skylight_sh_7_bands_1_5pct_packed_real *early,
+    skylight_sh_7_bands_1_5pct_packed_real *out)
+{
+    const float halo4 = early[4] * early[4];
+    const float shape_y = early[2] * ((1.0f * skylight_sh_7_bands_1_5pct_packed_short[8]) + early[3]
+        * halo4 + early[5]);
+    const float halo4_2 = early[9] * early[9];
+    const float shape_x = early[7] * ((1.0f * skylight_sh_7_bands_1_5pct_packed_short[8]) + early[8]
+        * halo4_2 + early[10]);
+    const float one = early[1] / (early[0] * shape_y * early[6] * shape_x);
+    const float halo4_3 = early[14] * early[14];
+    const float shape_z = early[12] * ((1.0f * skylight_sh_7_bands_1_5pct_packed_short[8]) +
+        early[13] * halo4_3 + early[15]);
+    const float of_x = one * early[11] * shape_z;
+    out[1] = 3.73898554f * of_x;
+    const float of_y = one * early[6] * shape_x;
+    const float of_s = one * shape_z * shape_x;
+    out[2] = (-0.498531401f) * of_s;
+    out[0] = out[1] + (-1.03860712f) * of_y + out[2];
+    out[4] = (-1.01082206f) * of_x;
+    out[5] = (9.99999997e-07f * skylight_sh_7_bands_1_5pct_packed_short[59]) * of_s;
+    out[3] = out[4] + 1.83445477f * of_y + out[5];
+    out[7] = (-1.00158179f) * of_x;
+    out[8] = 1.05722523f * of_s;
+    out[6] = out[7] + (-1.26125109f) * of_y + out[8];
+    (void)x;
+    (void)early;
+}
+
+/* The functions of sun_zenith (change of variable: even); 0 where there is
+   none. */
 static inline void skylight_sh_7_bands_1_5pct_packed_first(const
     skylight_sh_7_bands_1_5pct_packed_real *x, skylight_sh_7_bands_1_5pct_packed_real *out)
 {
     out[0] = 1.0f;
-    out[1] = 4.36619759f * (x[0] - 0.0f) / (5.0f - x[0]) - 1.0f;
+    out[1] = (-13.3479729f) * (x[0] * x[0] - 0.0f) / ((-14.0f) - x[0] * x[0]) - 1.0f;
     out[2] = 2.0f * out[1] * out[1] - 1.0f;
     out[3] = 2.0f * out[1] * out[2] - out[1];
     out[4] = 2.0f * out[2] * out[2] - 1.0f;
     out[5] = 2.0f * out[2] * out[3] - out[1];
     out[6] = 2.0f * out[3] * out[3] - 1.0f;
-    out[7] = 2.0f * out[3] * out[4] - out[1];
-    out[8] = 2.0f * out[4] * out[4] - 1.0f;
-    out[9] = 2.0f * out[4] * out[5] - out[1];
-    out[10] = 0;
-    out[11] = 0;
+    out[7] = 0;
     (void)x;
 }
 
@@ -312,21 +475,22 @@ static inline void skylight_sh_7_bands_1_5pct_packed_others(const
     skylight_sh_7_bands_1_5pct_packed_real *x, skylight_sh_7_bands_1_5pct_packed_real *out)
 {
     out[0] = 1.0f;
-    out[1] = (-4.57142878f) * (x[1] - 2.5f) / ((-2.0f) - x[1]) - 1.0f;
+    out[1] = (-4.85714293f) * (x[1] - 2.5f) / ((-2.5f) - x[1]) - 1.0f;
     out[2] = 2.0f * out[1] * out[1] - 1.0f;
     out[3] = 2.0f * out[1] * out[2] - out[1];
     out[4] = 2.0f * out[2] * out[2] - 1.0f;
     (void)x;
 }
 
-/* cos(m azimuth) and sin(m azimuth) for m < bands, by doubling. */
+/* cos(m azimuth) and sin(m azimuth), m < bands, each times the m-th power
+   of `radius`, by doubling. */
 static inline void skylight_sh_7_bands_1_5pct_packed_waves(skylight_sh_7_bands_1_5pct_packed_real
-    azimuth, skylight_sh_7_bands_1_5pct_packed_real *cosines,
-    skylight_sh_7_bands_1_5pct_packed_real *sines)
+    azimuth, skylight_sh_7_bands_1_5pct_packed_real radius,
+    skylight_sh_7_bands_1_5pct_packed_real *cosines, skylight_sh_7_bands_1_5pct_packed_real *sines)
 {
     cosines[0] = 1.0f;
-    cosines[1] = cosf(azimuth);
-    sines[1] = sinf(azimuth);
+    cosines[1] = radius * cosf(azimuth);
+    sines[1] = radius * sinf(azimuth);
     cosines[2] = cosines[1] * cosines[1] - sines[1] * sines[1];
     sines[2] = sines[1] * cosines[1] + cosines[1] * sines[1];
     cosines[3] = cosines[1] * cosines[2] - sines[1] * sines[2];
@@ -338,6 +502,18 @@ static inline void skylight_sh_7_bands_1_5pct_packed_waves(skylight_sh_7_bands_1
     sines[4] = sines[2] * cosines[2] + cosines[2] * sines[2];
     sines[5] = sines[2] * cosines[3] + cosines[2] * sines[3];
     sines[6] = sines[3] * cosines[3] + cosines[3] * sines[3];
+}
+
+/* The sine of the sun's zenith angle, whose powers the sums of order m
+   lack. */
+static inline skylight_sh_7_bands_1_5pct_packed_real skylight_sh_7_bands_1_5pct_packed_sine(const
+    skylight_sh_7_bands_1_5pct_packed_real *x)
+{
+    const float part_1 = x[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_SUN] *
+        x[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_SUN];
+    return x[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_SUN] + x[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_SUN] *
+        (part_1 * ((-0.166666597f) + part_1 * (0.00833306555f + part_1 * ((-0.000198095426f) +
+        part_1 * 2.60563934e-06f))));
 }
 
 /* The zonal window's factor for the degree `share` * bands (Habel et al.
@@ -359,8 +535,8 @@ static inline void skylight_sh_7_bands_1_5pct_packed_functions(int axis, double 
 {
     if (axis == 0) {
         out[0] = 1.0;
-        const double part_1 = 5.0 - v;
-        const double part_2 = 4.366197723675814 * (v - 0.0) / part_1;
+        const double part_1 = (-14.0) - v * v;
+        const double part_2 = (-13.347972567941833) * (v * v - 0.0) / part_1;
         out[1] = part_2 - 1.0;
         const double part_3 = 2.0 * out[1];
         out[2] = part_3 * out[1] - 1.0;
@@ -372,27 +548,18 @@ static inline void skylight_sh_7_bands_1_5pct_packed_functions(int axis, double 
         out[5] = part_6 * out[3] - out[1];
         const double part_7 = 2.0 * out[3];
         out[6] = part_7 * out[3] - 1.0;
-        const double part_8 = 2.0 * out[3];
-        out[7] = part_8 * out[4] - out[1];
-        const double part_9 = 2.0 * out[4];
-        out[8] = part_9 * out[4] - 1.0;
-        const double part_10 = 2.0 * out[4];
-        out[9] = part_10 * out[5] - out[1];
         slopes[0] = 0.0;
-        slopes[1] = 4.366197723675814 / part_1 - part_2 * -1.0 / part_1;
+        slopes[1] = (-13.347972567941833) * (v + v) / part_1 - part_2 * -(v + v) / part_1;
         slopes[2] = 2.0 * slopes[1] * out[1] + part_3 * slopes[1];
         slopes[3] = 2.0 * slopes[1] * out[2] + part_4 * slopes[2] - slopes[1];
         slopes[4] = 2.0 * slopes[2] * out[2] + part_5 * slopes[2];
         slopes[5] = 2.0 * slopes[2] * out[3] + part_6 * slopes[3] - slopes[1];
         slopes[6] = 2.0 * slopes[3] * out[3] + part_7 * slopes[3];
-        slopes[7] = 2.0 * slopes[3] * out[4] + part_8 * slopes[4] - slopes[1];
-        slopes[8] = 2.0 * slopes[4] * out[4] + part_9 * slopes[4];
-        slopes[9] = 2.0 * slopes[4] * out[5] + part_10 * slopes[5] - slopes[1];
     }
     if (axis == 1) {
         out[0] = 1.0;
-        const double part_1 = (-2.0) - v;
-        const double part_2 = (-4.5714285714285712) * (v - 2.5) / part_1;
+        const double part_1 = (-2.5) - v;
+        const double part_2 = (-4.8571428571428568) * (v - 2.5) / part_1;
         out[1] = part_2 - 1.0;
         const double part_3 = 2.0 * out[1];
         out[2] = part_3 * out[1] - 1.0;
@@ -401,7 +568,7 @@ static inline void skylight_sh_7_bands_1_5pct_packed_functions(int axis, double 
         const double part_5 = 2.0 * out[2];
         out[4] = part_5 * out[2] - 1.0;
         slopes[0] = 0.0;
-        slopes[1] = (-4.5714285714285712) / part_1 - part_2 * -1.0 / part_1;
+        slopes[1] = (-4.8571428571428568) / part_1 - part_2 * -1.0 / part_1;
         slopes[2] = 2.0 * slopes[1] * out[1] + part_3 * slopes[1];
         slopes[3] = 2.0 * slopes[1] * out[2] + part_4 * slopes[2] - slopes[1];
         slopes[4] = 2.0 * slopes[2] * out[2] + part_5 * slopes[2];
@@ -409,72 +576,212 @@ static inline void skylight_sh_7_bands_1_5pct_packed_functions(int axis, double 
     (void)v;
 }
 
-/* What all weights share, then its slopes after the axes. */
-static inline void skylight_sh_7_bands_1_5pct_packed_scale_slopes(const double *x, double *out)
+/* The factors, then their slopes after each axis. */
+static inline void skylight_sh_7_bands_1_5pct_packed_factor_slopes(const double *x, double *out)
 {
-    const double part_1 = 4.0453000000000001 * x[1] - 4.9710000000000001;
-    const double part_2 = 0.44444444444444442 - x[1] * 0.0083333333333333332;
-    const double part_3 = 3.1415926535897931 - 2.0 * x[0];
+    const double part_1 = 4045.3000000000002 * x[1] - 4971.0;
+    const double part_2 = 0.88888888888888884 - x[1] * 0.016666666666666666;
+    const double part_3 = 1.5707963267948966 - x[0];
     const double chi = part_2 * part_3;
     const double square = chi * chi;
-    const double part_4 = 105.0 - 10.0 * square;
-    const double tan_above = chi * part_4;
-    const double part_5 = 2.4192 - 0.2155 * x[1];
-    const double part_6 = 45.0 - square;
-    const double tan_below = 105.0 - square * part_6;
-    const double zenith = part_1 * tan_above + part_5 * tan_below;
-    const double a = 0.1787 * x[1] + (-1.4630000000000001);
-    const double b = (-0.35539999999999999) * x[1] + 0.42749999999999999;
-    const double part_7 = 0.25 + b * 0.03125;
-    const double up = 1.0 + b * part_7;
+    const double part_4 = 105.0 - square;
+    const double part_5 = 945.0 - square * part_4;
+    const double part_6 = chi * part_5;
+    const double part_7 = 2419.1999999999998 - 215.5 * x[1];
+    const double part_8 = 420.0 - 15.0 * square;
+    const double below = 945.0 - square * part_8;
+    const double zenith = part_1 * part_6 + part_7 * below;
+    const double part_9 = 0.1787 * x[1] + (-1.4630000000000001);
+    const double part_10 = (-0.35539999999999999) * x[1] + 0.42749999999999999;
+    const double part_11 = 0.25 + part_10 * 0.03125;
+    const double up = 1.0 + part_10 * part_11;
     const double up2 = up * up;
-    const double up4 = up2 * up2;
-    const double part_8 = 1.0 + a * up4;
-    const double part_9 = tan_below * part_8;
-    const double c = (-0.022700000000000001) * x[1] + 5.3250999999999999;
-    const double d = 0.1206 * x[1] + (-2.5771000000000002);
-    const double y = d * x[0];
-    const double part_10 = 0.125 + y * 0.0078125;
-    const double halo = 1.0 + y * part_10;
+    const double part_12 = up2 * up2;
+    const double part_13 = 1.0 + part_9 * part_12;
+    const double part_14 = (-0.022700000000000001) * x[1] + 5.3250999999999999;
+    const double part_15 = 0.1206 * x[1] + (-2.5771000000000002);
+    const double y = part_15 * x[0] * 0.25;
+    const double part_16 = 0.0076543250999999996 + y * 0.00084900787100000003;
+    const double part_17 = 0.041223317699999998 + y * part_16;
+    const double part_18 = 0.16651516699999999 + y * part_17;
+    const double part_19 = 0.49997509099999998 + y * part_18;
+    const double part_20 = 0.99999845399999998 + y * part_19;
+    const double halo = 0.99999998400000001 + y * part_20;
     const double halo2 = halo * halo;
     const double halo4 = halo2 * halo2;
-    const double halo8 = halo4 * halo4;
-    const double e = (-0.067000000000000004) * x[1] + 0.37030000000000002;
+    const double part_21 = (-0.067000000000000004) * x[1] + 0.37030000000000002;
     const double z = x[0] * x[0];
-    const double part_11 = 0.041666666666666664 - z * 0.0013888888888888889;
-    const double part_12 = 0.5 - z * part_11;
-    const double cosine = 1.0 - z * part_12;
-    const double part_13 = cosine * cosine;
-    const double part_14 = 1.0 + c * halo8 + e * part_13;
-    const double part_15 = part_9 * part_14;
-    out[0] = 1000.0 * zenith / part_15;
-    const double part_16 = part_2 * -2.0;
-    const double part_17 = part_16 * chi + chi * part_16;
-    const double part_18 = -(part_17 * part_6 + square * -part_17);
-    const double part_19 = d * part_10 + y * (d * 0.0078125);
-    const double part_20 = part_19 * halo + halo * part_19;
-    const double part_21 = part_20 * halo2 + halo2 * part_20;
-    const double part_22 = x[0] + x[0];
-    const double part_23 = -(part_22 * part_12 + z * -(part_22 * part_11 + z * -(part_22 *
-        0.0013888888888888889)));
-    out[1] = 1000.0 * (part_1 * (part_16 * part_4 + chi * -(10.0 * part_17)) + part_5 * part_18) /
-        part_15 - out[0] * (part_18 * part_8 * part_14 + part_9 * (c * (part_21 * halo4 + halo4 *
-        part_21) + e * (part_23 * cosine + cosine * part_23))) / part_15;
-    const double part_24 = -0.0083333333333333332 * part_3;
-    const double part_25 = part_24 * chi + chi * part_24;
-    const double part_26 = -(part_25 * part_6 + square * -part_25);
-    const double part_27 = (-0.35539999999999999) * part_7 + b * ((-0.35539999999999999) * 0.03125);
-    const double part_28 = part_27 * up + up * part_27;
-    const double part_29 = 0.1206 * x[0];
-    const double part_30 = part_29 * part_10 + y * (part_29 * 0.0078125);
-    const double part_31 = part_30 * halo + halo * part_30;
-    const double part_32 = part_31 * halo2 + halo2 * part_31;
-    out[2] = 1000.0 * (4.0453000000000001 * tan_above + part_1 * (part_24 * part_4 + chi * -(10.0 *
-        part_25)) + (-0.2155 * tan_below + part_5 * part_26)) / part_15 - out[0] * ((part_26 *
-        part_8 + tan_below * (0.1787 * up4 + a * (part_28 * up2 + up2 * part_28))) * part_14 +
-        part_9 * ((-0.022700000000000001) * halo8 + c * (part_32 * halo4 + halo4 * part_32) +
-        (-0.067000000000000004) * part_13)) / part_15;
+    const double part_22 = 0.5 - z * 0.03125;
+    const double cosine = 1.0 - z * part_22;
+    const double cosine2 = cosine * cosine;
+    const double part_23 = 1.0 + part_14 * halo4 + part_21 * cosine2;
+    const double shape_y = part_13 * part_23;
+    const double part_24 = below * shape_y;
+    const double part_25 = 0.0027499999999999998 * x[1] + (-0.042139999999999997);
+    const double part_26 = part_25 * x[1] + 0.15346000000000001;
+    const double part_27 = (-0.0061000000000000004) * x[1] + 0.089700000000000002;
+    const double part_28 = part_26 * x[0] + (part_27 * x[1] + (-0.26756000000000002));
+    const double part_29 = 0.0031700000000000001 * x[1] + (-0.041529999999999997);
+    const double part_30 = part_28 * x[0] + (part_29 * x[1] + 0.066699999999999995);
+    const double y_zenith = part_30 * x[0] + (0.0051599999999999997 * x[1] + 0.26688000000000001);
+    const double part_31 = part_24 * y_zenith;
+    const double part_32 = 0.0025000000000000001 * x[1] + 0.73319999999999996;
+    const double part_33 = (-0.00040000000000000002) * x[1] + 0.21249999999999999;
+    const double part_34 = (-0.064100000000000004) * x[1] + (-0.89890000000000003);
+    const double y_2 = part_34 * x[0] * 0.25;
+    const double part_35 = 0.0076543250999999996 + y_2 * 0.00084900787100000003;
+    const double part_36 = 0.041223317699999998 + y_2 * part_35;
+    const double part_37 = 0.16651516699999999 + y_2 * part_36;
+    const double part_38 = 0.49997509099999998 + y_2 * part_37;
+    const double part_39 = 0.99999845399999998 + y_2 * part_38;
+    const double halo_2 = 0.99999998400000001 + y_2 * part_39;
+    const double halo2_2 = halo_2 * halo_2;
+    const double halo4_2 = halo2_2 * halo2_2;
+    const double part_40 = (-0.0033) * x[1] + 0.045199999999999997;
+    const double z_2 = x[0] * x[0];
+    const double part_41 = 0.5 - z_2 * 0.03125;
+    const double cosine_2 = 1.0 - z_2 * part_41;
+    const double cosine2_2 = cosine_2 * cosine_2;
+    const double part_42 = 1.0 + part_33 * halo4_2 + part_40 * cosine2_2;
+    const double shape_x = part_32 * part_42;
+    const double part_43 = part_31 * shape_x;
+    const double one = zenith / part_43;
+    const double part_44 = 0.00166 * x[1] + (-0.02903);
+    const double part_45 = part_44 * x[1] + 0.11693000000000001;
+    const double part_46 = (-0.0037499999999999999) * x[1] + 0.063769999999999993;
+    const double part_47 = part_45 * x[0] + (part_46 * x[1] + (-0.21196000000000001));
+    const double part_48 = 0.0020899999999999998 * x[1] + (-0.03202);
+    const double part_49 = part_47 * x[0] + (part_48 * x[1] + 0.060519999999999997);
+    const double x_zenith = part_49 * x[0] + (0.0039399999999999999 * x[1] + 0.25885999999999998);
+    const double part_50 = one * x_zenith;
+    const double part_51 = 0.0099299999999999996 * x[1] + 0.73440000000000005;
+    const double part_52 = (-0.0079000000000000008) * x[1] + 0.2102;
+    const double part_53 = (-0.0441) * x[1] + (-1.6536999999999999);
+    const double y_3 = part_53 * x[0] * 0.25;
+    const double part_54 = 0.0076543250999999996 + y_3 * 0.00084900787100000003;
+    const double part_55 = 0.041223317699999998 + y_3 * part_54;
+    const double part_56 = 0.16651516699999999 + y_3 * part_55;
+    const double part_57 = 0.49997509099999998 + y_3 * part_56;
+    const double part_58 = 0.99999845399999998 + y_3 * part_57;
+    const double halo_3 = 0.99999998400000001 + y_3 * part_58;
+    const double halo2_3 = halo_3 * halo_3;
+    const double halo4_3 = halo2_3 * halo2_3;
+    const double part_59 = (-0.0109) * x[1] + 0.052900000000000003;
+    const double part_60 = 1.0 + part_52 * halo4_3 + part_59 * cosine2_2;
+    const double shape_z = part_51 * part_60;
+    const double of_x = part_50 * shape_z;
+    out[1] = 3.7389855999999999 * of_x;
+    const double part_61 = one * y_zenith;
+    const double of_y = part_61 * shape_x;
+    const double part_62 = one * shape_z;
+    const double of_s = part_62 * shape_x;
+    out[2] = (-0.49853140000000001) * of_s;
+    out[0] = out[1] + (-1.0386070999999999) * of_y + out[2];
+    out[4] = (-1.0108219999999999) * of_x;
+    out[5] = 0.041556000000000003 * of_s;
+    out[3] = out[4] + 1.8344548000000001 * of_y + out[5];
+    out[7] = (-1.0015818000000001) * of_x;
+    out[8] = 1.0572252 * of_s;
+    out[6] = out[7] + (-1.2612511) * of_y + out[8];
+    const double part_63 = part_2 * -1.0;
+    const double part_64 = part_63 * chi + chi * part_63;
+    const double part_65 = -(part_64 * part_8 + square * -(15.0 * part_64));
+    const double part_66 = part_15 * 0.25;
+    const double part_67 = part_66 * part_20 + y * (part_66 * part_19 + y * (part_66 * part_18 + y *
+        (part_66 * part_17 + y * (part_66 * part_16 + y * (part_66 * 0.00084900787100000003)))));
+    const double part_68 = part_67 * halo + halo * part_67;
+    const double part_69 = x[0] + x[0];
+    const double part_70 = -(part_69 * part_22 + z * -(part_69 * 0.03125));
+    const double part_71 = (part_26 * x[0] + part_28) * x[0] + part_30;
+    const double part_72 = part_34 * 0.25;
+    const double part_73 = part_72 * part_39 + y_2 * (part_72 * part_38 + y_2 * (part_72 * part_37 +
+        y_2 * (part_72 * part_36 + y_2 * (part_72 * part_35 + y_2 * (part_72 *
+        0.00084900787100000003)))));
+    const double part_74 = part_73 * halo_2 + halo_2 * part_73;
+    const double part_75 = x[0] + x[0];
+    const double part_76 = -(part_75 * part_41 + z_2 * -(part_75 * 0.03125));
+    const double part_77 = part_76 * cosine_2 + cosine_2 * part_76;
+    const double part_78 = part_32 * (part_33 * (part_74 * halo2_2 + halo2_2 * part_74) + part_40 *
+        part_77);
+    const double part_79 = (part_1 * (part_63 * part_5 + chi * -(part_64 * part_4 + square *
+        -part_64)) + part_7 * part_65) / part_43 - one * (((part_65 * shape_y + below * (part_13 *
+        (part_14 * (part_68 * halo2 + halo2 * part_68) + part_21 * (part_70 * cosine + cosine *
+        part_70)))) * y_zenith + part_24 * part_71) * shape_x + part_31 * part_78) / part_43;
+    const double part_80 = part_53 * 0.25;
+    const double part_81 = part_80 * part_58 + y_3 * (part_80 * part_57 + y_3 * (part_80 * part_56 +
+        y_3 * (part_80 * part_55 + y_3 * (part_80 * part_54 + y_3 * (part_80 *
+        0.00084900787100000003)))));
+    const double part_82 = part_81 * halo_3 + halo_3 * part_81;
+    const double part_83 = part_51 * (part_52 * (part_82 * halo2_3 + halo2_3 * part_82) + part_59 *
+        part_77);
+    const double part_84 = (part_79 * x_zenith + one * ((part_45 * x[0] + part_47) * x[0] +
+        part_49)) * shape_z + part_50 * part_83;
+    out[10] = 3.7389855999999999 * part_84;
+    const double part_85 = (part_79 * y_zenith + one * part_71) * shape_x + part_61 * part_78;
+    const double part_86 = (part_79 * shape_z + one * part_83) * shape_x + part_62 * part_78;
+    out[11] = (-0.49853140000000001) * part_86;
+    out[9] = out[10] + (-1.0386070999999999) * part_85 + out[11];
+    out[13] = (-1.0108219999999999) * part_84;
+    out[14] = 0.041556000000000003 * part_86;
+    out[12] = out[13] + 1.8344548000000001 * part_85 + out[14];
+    out[16] = (-1.0015818000000001) * part_84;
+    out[17] = 1.0572252 * part_86;
+    out[15] = out[16] + (-1.2612511) * part_85 + out[17];
+    const double part_87 = -0.016666666666666666 * part_3;
+    const double part_88 = part_87 * chi + chi * part_87;
+    const double part_89 = -(part_88 * part_8 + square * -(15.0 * part_88));
+    const double part_90 = (-0.35539999999999999) * part_11 + part_10 * ((-0.35539999999999999) *
+        0.03125);
+    const double part_91 = part_90 * up + up * part_90;
+    const double part_92 = 0.1206 * x[0] * 0.25;
+    const double part_93 = part_92 * part_20 + y * (part_92 * part_19 + y * (part_92 * part_18 + y *
+        (part_92 * part_17 + y * (part_92 * part_16 + y * (part_92 * 0.00084900787100000003)))));
+    const double part_94 = part_93 * halo + halo * part_93;
+    const double part_95 = (((0.0027499999999999998 * x[1] + part_25) * x[0] +
+        ((-0.0061000000000000004) * x[1] + part_27)) * x[0] + (0.0031700000000000001 * x[1] +
+        part_29)) * x[0] + 0.0051599999999999997;
+    const double part_96 = (-0.064100000000000004) * x[0] * 0.25;
+    const double part_97 = part_96 * part_39 + y_2 * (part_96 * part_38 + y_2 * (part_96 * part_37 +
+        y_2 * (part_96 * part_36 + y_2 * (part_96 * part_35 + y_2 * (part_96 *
+        0.00084900787100000003)))));
+    const double part_98 = part_97 * halo_2 + halo_2 * part_97;
+    const double part_99 = 0.0025000000000000001 * part_42 + part_32 * ((-0.00040000000000000002) *
+        halo4_2 + part_33 * (part_98 * halo2_2 + halo2_2 * part_98) + (-0.0033) * cosine2_2);
+    const double part_100 = (4045.3000000000002 * part_6 + part_1 * (part_87 * part_5 + chi *
+        -(part_88 * part_4 + square * -part_88)) + (-215.5 * below + part_7 * part_89)) / part_43 -
+        one * (((part_89 * shape_y + below * ((0.1787 * part_12 + part_9 * (part_91 * up2 + up2 *
+        part_91)) * part_23 + part_13 * ((-0.022700000000000001) * halo4 + part_14 * (part_94 *
+        halo2 + halo2 * part_94) + (-0.067000000000000004) * cosine2))) * y_zenith + part_24 *
+        part_95) * shape_x + part_31 * part_99) / part_43;
+    const double part_101 = (-0.0441) * x[0] * 0.25;
+    const double part_102 = part_101 * part_58 + y_3 * (part_101 * part_57 + y_3 * (part_101 *
+        part_56 + y_3 * (part_101 * part_55 + y_3 * (part_101 * part_54 + y_3 * (part_101 *
+        0.00084900787100000003)))));
+    const double part_103 = part_102 * halo_3 + halo_3 * part_102;
+    const double part_104 = 0.0099299999999999996 * part_60 + part_51 * ((-0.0079000000000000008) *
+        halo4_3 + part_52 * (part_103 * halo2_3 + halo2_3 * part_103) + (-0.0109) * cosine2_2);
+    const double part_105 = (part_100 * x_zenith + one * ((((0.00166 * x[1] + part_44) * x[0] +
+        ((-0.0037499999999999999) * x[1] + part_46)) * x[0] + (0.0020899999999999998 * x[1] +
+        part_48)) * x[0] + 0.0039399999999999999)) * shape_z + part_50 * part_104;
+    out[19] = 3.7389855999999999 * part_105;
+    const double part_106 = (part_100 * y_zenith + one * part_95) * shape_x + part_61 * part_99;
+    const double part_107 = (part_100 * shape_z + one * part_104) * shape_x + part_62 * part_99;
+    out[20] = (-0.49853140000000001) * part_107;
+    out[18] = out[19] + (-1.0386070999999999) * part_106 + out[20];
+    out[22] = (-1.0108219999999999) * part_105;
+    out[23] = 0.041556000000000003 * part_107;
+    out[21] = out[22] + 1.8344548000000001 * part_106 + out[23];
+    out[25] = (-1.0015818000000001) * part_105;
+    out[26] = 1.0572252 * part_107;
+    out[24] = out[25] + (-1.2612511) * part_106 + out[26];
     (void)x;
+}
+
+/* The sine of the sun's zenith angle, then its slope. */
+static inline void skylight_sh_7_bands_1_5pct_packed_sine_slope(const double *x, double *out)
+{
+    out[0] = sin(x[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_SUN]);
+    out[1] = cos(x[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_SUN]);
 }
 
 /* 0 for a finite number, 1 for an infinity, 2 for NaN: by its bits, so that -ffast-math cannot
@@ -524,10 +831,136 @@ static inline int skylight_sh_7_bands_1_5pct_packed_inputs(const float
     return status;
 }
 
+/* Numbers side by side where the compiler has vector types: as many as the processor's registers
+   hold, and four. */
+#if defined(__GNUC__) && (defined(__SSE__) || defined(__ARM_NEON) || defined(__ALTIVEC__) || \
+                          defined(__wasm_simd128__) || defined(__loongarch_sx))
+#if defined(__AVX512F__)
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_LANES 16
+#elif defined(__AVX__)
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_LANES 8
+#else
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_LANES 4
+#endif
+#endif
+/* What is worth its place in every caller. */
+#ifdef __GNUC__
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_INLINE static inline __attribute__((always_inline))
+#else
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_INLINE static inline
+#endif
+#ifdef SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_LANES
+#ifdef __FMA__
+/* One operation for a product and a sum, which standard C may not choose by itself. */
+#include <immintrin.h>
+#endif
+typedef float skylight_sh_7_bands_1_5pct_packed_lanes __attribute__((vector_size(4 *
+    SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_LANES)));
+typedef float skylight_sh_7_bands_1_5pct_packed_four __attribute__((vector_size(16)));
+typedef int skylight_sh_7_bands_1_5pct_packed_order __attribute__((vector_size(16)));
+
+static inline skylight_sh_7_bands_1_5pct_packed_lanes skylight_sh_7_bands_1_5pct_packed_spread(float
+    v)
+{
+    const skylight_sh_7_bands_1_5pct_packed_lanes zeros = {0};
+    return zeros + v;
+}
+
+static inline skylight_sh_7_bands_1_5pct_packed_lanes skylight_sh_7_bands_1_5pct_packed_load(const
+    float *from)
+{
+    skylight_sh_7_bands_1_5pct_packed_lanes v;
+    memcpy(&v, from, sizeof v);
+    return v;
+}
+
+/* a * b + c. */
+static inline skylight_sh_7_bands_1_5pct_packed_lanes
+    skylight_sh_7_bands_1_5pct_packed_add(skylight_sh_7_bands_1_5pct_packed_lanes a,
+    skylight_sh_7_bands_1_5pct_packed_lanes b,
+                                                skylight_sh_7_bands_1_5pct_packed_lanes c)
+{
+#if defined(__FMA__) && SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_LANES == 16
+    return _mm512_fmadd_ps(a, b, c);
+#elif defined(__FMA__) && SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_LANES == 8
+    return _mm256_fmadd_ps(a, b, c);
+#else
+    return a * b + c;
+#endif
+}
+
+static inline skylight_sh_7_bands_1_5pct_packed_four
+    skylight_sh_7_bands_1_5pct_packed_spread_four(float v)
+{
+    const skylight_sh_7_bands_1_5pct_packed_four zeros = {0};
+    return zeros + v;
+}
+
+static inline skylight_sh_7_bands_1_5pct_packed_four
+    skylight_sh_7_bands_1_5pct_packed_load_four(const float *from)
+{
+    skylight_sh_7_bands_1_5pct_packed_four v;
+    memcpy(&v, from, sizeof v);
+    return v;
+}
+
+static inline skylight_sh_7_bands_1_5pct_packed_four
+    skylight_sh_7_bands_1_5pct_packed_add_four(skylight_sh_7_bands_1_5pct_packed_four a,
+    skylight_sh_7_bands_1_5pct_packed_four b,
+                                                    skylight_sh_7_bands_1_5pct_packed_four c)
+{
+#ifdef __FMA__
+    return _mm_fmadd_ps(a, b, c);
+#else
+    return a * b + c;
+#endif
+}
+
+static inline void skylight_sh_7_bands_1_5pct_packed_keep(float *to,
+    skylight_sh_7_bands_1_5pct_packed_four v)
+{
+    memcpy(to, &v, sizeof v);
+}
+
+/* Four of the eight numbers of two vectors. */
+#ifdef __clang__
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_PICK(v, w, a, b, c, d) __builtin_shufflevector(v, w, a, \
+    b, c, d)
+#else
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_PICK(v, w, a, b, c, d) \
+    skylight_sh_7_bands_1_5pct_packed_pick(v, w, a, b, c, d)
+static inline skylight_sh_7_bands_1_5pct_packed_four
+    skylight_sh_7_bands_1_5pct_packed_pick(skylight_sh_7_bands_1_5pct_packed_four v,
+    skylight_sh_7_bands_1_5pct_packed_four w, int a,
+                                                int b, int c, int d)
+{
+    const skylight_sh_7_bands_1_5pct_packed_order order = {a, b, c, d};
+    return __builtin_shuffle(v, w, order);
+}
+#endif
+#endif
+
+/* One channel's sums, from those of its classes. */
+static inline void skylight_sh_7_bands_1_5pct_packed_mix(skylight_sh_7_bands_1_5pct_packed_real
+    sums[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASSES][SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_ROOM],
+                                   int channel,
+                                       const skylight_sh_7_bands_1_5pct_packed_real *factors,
+                                   skylight_sh_7_bands_1_5pct_packed_real *mixed)
+{
+    int i;
+    int k;
+    for (i = 0; i < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WIDTH; ++i)
+        mixed[i] = factors[channel * SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASSES] * sums[0][i];
+    for (k = 1; k < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASSES; ++k)
+        for (i = 0; i < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WIDTH; ++i)
+            mixed[i] += factors[channel * SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASSES + k] *
+                sums[k][i];
+}
+
 /* Orders m >= 0 alone are stored: those of a light that is even in y at azimuth 0. */
 #define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_FIRST_ORDER(l) 0
 
-/* Stores the weight of degree l and order m turned by the azimuth (Habel et al. 2008, eq. 4). */
+/* Stores one weight of degree l and order m turned by the azimuth. */
 static inline void skylight_sh_7_bands_1_5pct_packed_place(skylight_sh_7_bands_1_5pct_packed_real
     value, int l, int m,
                                      const skylight_sh_7_bands_1_5pct_packed_real *cosines,
@@ -536,6 +969,299 @@ static inline void skylight_sh_7_bands_1_5pct_packed_place(skylight_sh_7_bands_1
 {
     weights[l * (l + 1) - m] = (float)(value * sines[m]);
     weights[l * (l + 1) + m] = (float)(value * cosines[m]);
+}
+
+/* Stores the first `bands` bands of the channels' weights, turned by the azimuth (Habel et al.
+ * 2008,
+   eq. 4 with nothing for m < 0). */
+static inline void skylight_sh_7_bands_1_5pct_packed_store(
+    skylight_sh_7_bands_1_5pct_packed_real
+        sums[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASSES][SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_ROOM],
+        const skylight_sh_7_bands_1_5pct_packed_real *factors,
+    const skylight_sh_7_bands_1_5pct_packed_real *cosines,
+        const skylight_sh_7_bands_1_5pct_packed_real *sines, int bands,
+    float
+        weights[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CHANNELS]
+        [SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WEIGHTS])
+{
+    int channel;
+#if defined(SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_LANES) && SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BANDS > 3
+    /* In fours; each overshoot is overwritten by what follows. */
+    float plus[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BANDS],
+        minus[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BANDS + 3] = {0};
+    int m, q;
+    for (m = 0; m < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BANDS; ++m) {
+        plus[m] = cosines[m];
+        minus[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BANDS - 1 - m] = sines[m];
+    }
+    for (channel = 0; channel < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CHANNELS; ++channel) {
+        float *const w = weights[channel];
+        skylight_sh_7_bands_1_5pct_packed_four v[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_FOURS];
+        for (q = 0; q < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_FOURS; ++q) {
+            int k;
+            v[q] = factors[channel * SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASSES] *
+                skylight_sh_7_bands_1_5pct_packed_load_four(sums[0] + 4 * q);
+            for (k = 1; k < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASSES; ++k)
+                v[q] = skylight_sh_7_bands_1_5pct_packed_add_four(
+                    skylight_sh_7_bands_1_5pct_packed_spread_four(factors[channel *
+                        SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASSES + k]),
+                    skylight_sh_7_bands_1_5pct_packed_load_four(sums[k] + 4 * q), v[q]);
+        }
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BAND(l, stores) \
+    if (bands > (l)) { stores }
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_NOTHING(place, count) memset(w + (place), 0, \
+    sizeof(float) * (count));
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_MINUS(place, q, r, a, b, c, d, order) \
+    skylight_sh_7_bands_1_5pct_packed_keep(w + (place), \
+                     SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_PICK(v[q], v[r], a, b, c, d) * \
+                         skylight_sh_7_bands_1_5pct_packed_load_four(minus + \
+                             SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BANDS - 1 - (order)));
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_PLUS(place, q, r, a, b, c, d, order) \
+    skylight_sh_7_bands_1_5pct_packed_keep(w + (place), \
+        SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_PICK(v[q], v[r], a, b, c, d) * \
+                                      skylight_sh_7_bands_1_5pct_packed_load_four(plus + (order)));
+        SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_STORES(SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BAND,
+            SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_NOTHING, SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_MINUS,
+                           SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_PLUS)
+#undef SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BAND
+#undef SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_NOTHING
+#undef SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_MINUS
+#undef SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_PLUS
+    }
+#else
+    static const short columns[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BANDS] =
+        SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_COLUMNS;
+    for (channel = 0; channel < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CHANNELS; ++channel) {
+        skylight_sh_7_bands_1_5pct_packed_real v[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WIDTH];
+        int l, m;
+        skylight_sh_7_bands_1_5pct_packed_mix(sums, channel, factors, v);
+        for (l = 0; l < bands; ++l) {
+            float *const w = weights[channel] + l * (l + 1);
+            const int column = columns[l];
+            for (m = 1; m <= l; ++m)
+                w[-m] = column < 0 ? 0.0f : (float)(v[column + m] * sines[m]);
+            for (m = 0; m <= l; ++m)
+                w[m] = column < 0 ? 0.0f : (float)(v[column + m] * cosines[m]);
+        }
+    }
+#endif
+    (void)cosines;
+    (void)sines;
+}
+
+#ifdef SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_LANES
+
+/* Vectors that the first `count` numbers of a row take, and those that are summed at once, in
+   registers. */
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_VECTORS(count) (((count) + \
+    SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_LANES - 1) / SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_LANES)
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BLOCKS \
+    ((SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_VECTORS(SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WIDTH) + 6) / 7)
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BLOCK \
+    ((SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_VECTORS(SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WIDTH) + \
+        SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BLOCKS - 1) / SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BLOCKS)
+#endif
+
+/* The products of the functions of all axes, of one class in the order of its rows. */
+static inline void skylight_sh_7_bands_1_5pct_packed_multiply(int class_,
+    const skylight_sh_7_bands_1_5pct_packed_real *first,
+                                        const skylight_sh_7_bands_1_5pct_packed_real *others,
+                                            skylight_sh_7_bands_1_5pct_packed_real *products)
+{
+    int i;
+#ifdef SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_LANES
+    /* In fours: each overshoot is overwritten by the next line. */
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_PRODUCT(which, place, count, other) \
+    for (i = 0; i < (count) && class_ == (which); i += 4) \
+        skylight_sh_7_bands_1_5pct_packed_keep(products + (place) + i, \
+                         skylight_sh_7_bands_1_5pct_packed_load_four(first + i) * others[other]);
+#else
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_PRODUCT(which, place, count, other) \
+    for (i = 0; i < (count) && class_ == (which); ++i) products[(place) + i] = first[i] * \
+        others[other];
+#endif
+    SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_PRODUCTS(SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_PRODUCT)
+#undef SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_PRODUCT
+}
+#ifdef SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_LANES
+
+/* Rows whose sums run side by side, so that no sum waits for the one before. */
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_SIDE (SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BLOCK > 4 ? 1 : \
+    SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BLOCK > 2 ? 2 : 4)
+
+/* sums = sum over t of products[t] * row t: SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BLOCK vectors of each
+ * row, which stay in
+   registers. */
+static inline void skylight_sh_7_bands_1_5pct_packed_sum_block(const
+    skylight_sh_7_bands_1_5pct_packed_real *row, int terms,
+                                         const skylight_sh_7_bands_1_5pct_packed_real *products,
+                                             skylight_sh_7_bands_1_5pct_packed_real *sums)
+{
+    skylight_sh_7_bands_1_5pct_packed_lanes
+        total[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_SIDE][SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BLOCK];
+    int t, i, k;
+    for (i = 0; i < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_SIDE; ++i)
+        for (k = 0; k < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BLOCK; ++k) total[i][k] =
+            skylight_sh_7_bands_1_5pct_packed_spread(0);
+    for (t = 0; t + SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_SIDE <= terms; t +=
+        SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_SIDE) {
+        for (i = 0; i < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_SIDE; ++i) {
+            const skylight_sh_7_bands_1_5pct_packed_lanes product =
+                skylight_sh_7_bands_1_5pct_packed_spread(products[t + i]);
+            for (k = 0; k < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BLOCK; ++k)
+                total[i][k] = skylight_sh_7_bands_1_5pct_packed_add(
+                    product, skylight_sh_7_bands_1_5pct_packed_load(row + i *
+                        SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WIDTH + k *
+                        SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_LANES),
+                    total[i][k]);
+        }
+        row += SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_SIDE * SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WIDTH;
+    }
+    for (; t < terms; ++t) {
+        const skylight_sh_7_bands_1_5pct_packed_lanes product =
+            skylight_sh_7_bands_1_5pct_packed_spread(products[t]);
+        for (k = 0; k < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BLOCK; ++k)
+            total[0][k] = skylight_sh_7_bands_1_5pct_packed_add(product,
+                skylight_sh_7_bands_1_5pct_packed_load(row + k *
+                SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_LANES),
+                                          total[0][k]);
+        row += SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WIDTH;
+    }
+    for (k = 0; k < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BLOCK; ++k) {
+        for (i = 1; i < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_SIDE; ++i) total[0][k] += total[i][k];
+        memcpy(sums + k * SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_LANES, &total[0][k],
+            sizeof total[0][k]);
+    }
+}
+
+/* The same for one vector of each row. */
+static inline void skylight_sh_7_bands_1_5pct_packed_sum_vector(const
+    skylight_sh_7_bands_1_5pct_packed_real *row, int terms,
+                                          const skylight_sh_7_bands_1_5pct_packed_real *products,
+                                              skylight_sh_7_bands_1_5pct_packed_real *sums)
+{
+    skylight_sh_7_bands_1_5pct_packed_lanes total = skylight_sh_7_bands_1_5pct_packed_spread(0),
+        other = skylight_sh_7_bands_1_5pct_packed_spread(0);
+    int t;
+    for (t = 0; t + 2 <= terms; t += 2) {
+        total =
+            skylight_sh_7_bands_1_5pct_packed_add(skylight_sh_7_bands_1_5pct_packed_spread(products
+            [t]), skylight_sh_7_bands_1_5pct_packed_load(row), total);
+        other =
+            skylight_sh_7_bands_1_5pct_packed_add(skylight_sh_7_bands_1_5pct_packed_spread(products
+            [t + 1]),
+                                skylight_sh_7_bands_1_5pct_packed_load(row +
+                                    SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WIDTH), other);
+        row += 2 * SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WIDTH;
+    }
+    if (t < terms)
+        total =
+            skylight_sh_7_bands_1_5pct_packed_add(skylight_sh_7_bands_1_5pct_packed_spread(products
+            [t]), skylight_sh_7_bands_1_5pct_packed_load(row), total);
+    total += other;
+    memcpy(sums, &total, sizeof total);
+}
+
+/* The first `count` numbers of the sum over t of products[t] * row t. */
+static inline void skylight_sh_7_bands_1_5pct_packed_sum(const
+    skylight_sh_7_bands_1_5pct_packed_real *row, int terms,
+                                   const skylight_sh_7_bands_1_5pct_packed_real *products,
+                                       int count,
+                                   skylight_sh_7_bands_1_5pct_packed_real *sums)
+{
+    const int vectors = SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_VECTORS(count);
+    int k = 0;
+    if (vectors >= SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BLOCK) {
+        for (; k + SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BLOCK <= vectors; k +=
+            SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BLOCK)
+            skylight_sh_7_bands_1_5pct_packed_sum_block(row + k *
+                SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_LANES, terms, products,
+                                  sums + k * SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_LANES);
+    }
+    for (; k < vectors; ++k)
+        skylight_sh_7_bands_1_5pct_packed_sum_vector(row + k *
+            SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_LANES, terms, products,
+                               sums + k * SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_LANES);
+}
+#else
+
+/* The first `count` numbers of the sum over t of products[t] * row t, four rows a pass: no
+   reduction, so that it vectorises. */
+static inline void skylight_sh_7_bands_1_5pct_packed_sum(const
+    skylight_sh_7_bands_1_5pct_packed_real *row, int terms,
+                                   const skylight_sh_7_bands_1_5pct_packed_real *products,
+                                       int count,
+                                   skylight_sh_7_bands_1_5pct_packed_real *sums)
+{
+    int t, k;
+    for (k = 0; k < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_ROOM; ++k) sums[k] = 0;
+    for (t = 0; t + 4 <= terms; t += 4) {
+        const skylight_sh_7_bands_1_5pct_packed_real a = products[t], b = products[t + 1];
+        const skylight_sh_7_bands_1_5pct_packed_real c = products[t + 2], d = products[t + 3];
+        for (k = 0; k < count; ++k)
+            sums[k] += (a * row[k] + b * row[k + SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WIDTH]) +
+                       (c * row[k + 2 * SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WIDTH] + d * row[k + 3 *
+                           SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WIDTH]);
+        row += 4 * SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WIDTH;
+    }
+    for (; t < terms; ++t) {
+        for (k = 0; k < count; ++k) sums[k] += products[t] * row[k];
+        row += SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WIDTH;
+    }
+}
+#endif
+
+/* The sums of one class's rows, one a term, for the first `bands` bands. */
+static inline void skylight_sh_7_bands_1_5pct_packed_sum_class(const
+    skylight_sh_7_bands_1_5pct_packed_real *rows, int class_,
+                                         const skylight_sh_7_bands_1_5pct_packed_real *first,
+                                         const skylight_sh_7_bands_1_5pct_packed_real *others,
+                                             int bands,
+                                         skylight_sh_7_bands_1_5pct_packed_real *sums)
+{
+    static const unsigned short starts[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASSES] =
+        SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_STARTS;
+    static const unsigned short counts[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASSES] =
+        SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_COUNTS;
+    static const unsigned short places[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASSES] =
+        SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_PLACES;
+    static const unsigned short widths[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BANDS] =
+        SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WIDTHS;
+    const skylight_sh_7_bands_1_5pct_packed_real *const row = rows + (int)starts[class_] *
+        SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WIDTH;
+    skylight_sh_7_bands_1_5pct_packed_real
+        products[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_PRODUCTS_ROOM];
+    skylight_sh_7_bands_1_5pct_packed_multiply(class_, first, others, products);
+    if (bands == SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BANDS) {
+        skylight_sh_7_bands_1_5pct_packed_sum(row, counts[class_], products + places[class_],
+            SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WIDTH, sums);
+    } else {
+        memset(sums, 0, sizeof *sums * SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_ROOM);
+        skylight_sh_7_bands_1_5pct_packed_sum(row, counts[class_], products + places[class_],
+            widths[bands - 1], sums);
+    }
+}
+
+/* The same in double precision, all bands: what derivatives need, whose terms cancel. */
+static inline void skylight_sh_7_bands_1_5pct_packed_sum_rows_double(
+    const skylight_sh_7_bands_1_5pct_packed_real *rows, const double *first, const double *others,
+    double sums[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASSES][SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WIDTH])
+{
+    static const unsigned char
+        lengths[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASSES][SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_OTHERS]
+        = SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_LENGTHS;
+    int c, i, k, other;
+    for (c = 0; c < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASSES; ++c) {
+        for (k = 0; k < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WIDTH; ++k) sums[c][k] = 0.0;
+        for (other = 0; other < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_OTHERS; ++other) {
+            for (i = 0; i < (int)lengths[c][other]; ++i) {
+                const double product = first[i] * others[other];
+                for (k = 0; k < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WIDTH; ++k) sums[c][k] += product
+                    * (double)rows[k];
+                rows += SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WIDTH;
+            }
+        }
+    }
 }
 
 /* Reads the stream: whole numbers as Rice codes, low bit of each byte first. */
@@ -605,7 +1331,7 @@ static inline void
     for (i = 0; i < used; ++i) profile[i] = (int)skylight_sh_7_bands_1_5pct_packed_fixed(b, 5);
 }
 
-/* The length of the next run, by that of the same channel and product at the weight before. */
+/* The length of the next run, by that of the same class and product at the weight before. */
 static inline int
     skylight_sh_7_bands_1_5pct_packed_next_length(skylight_sh_7_bands_1_5pct_packed_bits *b,
     signed char *length)
@@ -627,36 +1353,34 @@ static const signed char
     skylight_sh_7_bands_1_5pct_packed_run_profile[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_RUNS] =
     SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_RUN_PROFILE;
 static const signed char
-    skylight_sh_7_bands_1_5pct_packed_channel_profile[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CHANNELS] =
-    SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CHANNEL_PROFILE;
+    skylight_sh_7_bands_1_5pct_packed_class_profile[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASSES] =
+    SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASS_PROFILE;
 
-/* Reads the stream once, forward, and stores the first `bands` bands. */
-static inline void skylight_sh_7_bands_1_5pct_packed_combine(const
-    skylight_sh_7_bands_1_5pct_packed_real *first,
-                                       const skylight_sh_7_bands_1_5pct_packed_real *others,
-                                       const skylight_sh_7_bands_1_5pct_packed_real *cosines,
-                                       const skylight_sh_7_bands_1_5pct_packed_real *sines,
-                                           int bands,
-                                       float
-                                           weights[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CHANNELS]
-                                           [SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WEIGHTS])
+/* Reads the stream once, forward: the sums of the first `bands` bands. */
+static inline void skylight_sh_7_bands_1_5pct_packed_sum_stream(
+    const skylight_sh_7_bands_1_5pct_packed_real *first,
+        const skylight_sh_7_bands_1_5pct_packed_real *others, int bands,
+    skylight_sh_7_bands_1_5pct_packed_real
+        sums[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASSES][SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_ROOM])
 {
     signed char
-        lengths[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CHANNELS][SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_RUNS];
-    int profile[32], i, l, m, channel, other;
+        lengths[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASSES][SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_RUNS];
+    int profile[32], i, l, m, c, other, column = 0;
     skylight_sh_7_bands_1_5pct_packed_bits bits = skylight_sh_7_bands_1_5pct_packed_open();
     memset(lengths, 0, sizeof lengths);
     memset(profile, 0, sizeof profile);
+    memset(sums, 0, sizeof(skylight_sh_7_bands_1_5pct_packed_real) *
+        SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASSES * SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_ROOM);
     for (l = 0; l < bands; ++l) {
         skylight_sh_7_bands_1_5pct_packed_next_profile(&bits, profile);
-        for (m = SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_FIRST_ORDER(l); m <= l; ++m) {
-            for (channel = 0; channel < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CHANNELS; ++channel) {
+        for (m = SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_FIRST_ORDER(l); m <= l; ++m, ++column) {
+            for (c = 0; c < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASSES; ++c) {
                 skylight_sh_7_bands_1_5pct_packed_real value = 0;
                 for (other = 0; other < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_RUNS; ++other) {
                     const int level = skylight_sh_7_bands_1_5pct_packed_run_profile[other] +
-                                      skylight_sh_7_bands_1_5pct_packed_channel_profile[channel];
+                        skylight_sh_7_bands_1_5pct_packed_class_profile[c];
                     const int length = skylight_sh_7_bands_1_5pct_packed_next_length(&bits,
-                        &lengths[channel][other]);
+                        &lengths[c][other]);
                     skylight_sh_7_bands_1_5pct_packed_real sum = 0;
                     for (i = 0; i < length; ++i) {
                         const int number = skylight_sh_7_bands_1_5pct_packed_next_number(&bits,
@@ -665,39 +1389,79 @@ static inline void skylight_sh_7_bands_1_5pct_packed_combine(const
                     }
                     value += sum * others[other];
                 }
-                skylight_sh_7_bands_1_5pct_packed_place(value *
-                    SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_STEP, l, m, cosines, sines,
-                                  weights[channel]);
+                sums[c][column] = value * SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_STEP;
             }
         }
     }
 }
 
-/* The same in double precision, all bands: what derivatives need, whose terms cancel. */
-static inline void skylight_sh_7_bands_1_5pct_packed_combine_double(
+/* Reads the stream once, forward, into rows: of each class one for each product of functions. */
+static inline void skylight_sh_7_bands_1_5pct_packed_unpack_rows(float *rows)
+{
+    static const unsigned char
+        sizes[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASSES][SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_OTHERS] =
+        SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_LENGTHS;
+    unsigned short
+        starts[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASSES][SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_RUNS];
+    signed char
+        lengths[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASSES][SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_RUNS];
+    int profile[32], i, l, m, c, other, column = 0, row = 0;
+    skylight_sh_7_bands_1_5pct_packed_bits bits = skylight_sh_7_bands_1_5pct_packed_open();
+    memset(lengths, 0, sizeof lengths);
+    memset(profile, 0, sizeof profile);
+    for (c = 0; c < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASSES; ++c) {
+        for (other = 0; other < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_OTHERS; ++other) {
+            if (other < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_RUNS) starts[c][other] = (unsigned
+                short)row;
+            row += sizes[c][other];
+        }
+    }
+    for (i = 0; i < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_UNPACKED; ++i) rows[i] = 0.0f;
+    for (l = 0; l < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BANDS; ++l) {
+        skylight_sh_7_bands_1_5pct_packed_next_profile(&bits, profile);
+        for (m = SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_FIRST_ORDER(l); m <= l; ++m, ++column) {
+            for (c = 0; c < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASSES; ++c) {
+                for (other = 0; other < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_RUNS; ++other) {
+                    const int level = skylight_sh_7_bands_1_5pct_packed_run_profile[other] +
+                        skylight_sh_7_bands_1_5pct_packed_class_profile[c];
+                    const int length = skylight_sh_7_bands_1_5pct_packed_next_length(&bits,
+                        &lengths[c][other]);
+                    float *to = rows + (int)starts[c][other] *
+                        SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WIDTH + column;
+                    for (i = 0; i < length; ++i) {
+                        const int number = skylight_sh_7_bands_1_5pct_packed_next_number(&bits,
+                            profile[i] + level);
+                        *to = (float)number * SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_STEP;
+                        to += SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WIDTH;
+                    }
+                }
+            }
+        }
+    }
+}
+
+/* The sums in double precision, all bands: what derivatives need, whose terms cancel. */
+static inline void skylight_sh_7_bands_1_5pct_packed_sum_stream_double(
     const double *first, const double *others,
-        const skylight_sh_7_bands_1_5pct_packed_real *cosines,
-    const skylight_sh_7_bands_1_5pct_packed_real *sines,
-        float
-        weights[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CHANNELS]
-        [SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WEIGHTS])
+        double
+        sums[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASSES][SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WIDTH])
 {
     signed char
-        lengths[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CHANNELS][SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_RUNS];
-    int profile[32], i, l, m, channel, other;
+        lengths[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASSES][SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_RUNS];
+    int profile[32], i, l, m, c, other, column = 0;
     skylight_sh_7_bands_1_5pct_packed_bits bits = skylight_sh_7_bands_1_5pct_packed_open();
     memset(lengths, 0, sizeof lengths);
     memset(profile, 0, sizeof profile);
     for (l = 0; l < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BANDS; ++l) {
         skylight_sh_7_bands_1_5pct_packed_next_profile(&bits, profile);
-        for (m = SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_FIRST_ORDER(l); m <= l; ++m) {
-            for (channel = 0; channel < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CHANNELS; ++channel) {
+        for (m = SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_FIRST_ORDER(l); m <= l; ++m, ++column) {
+            for (c = 0; c < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASSES; ++c) {
                 double value = 0.0;
                 for (other = 0; other < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_RUNS; ++other) {
                     const int level = skylight_sh_7_bands_1_5pct_packed_run_profile[other] +
-                                      skylight_sh_7_bands_1_5pct_packed_channel_profile[channel];
+                        skylight_sh_7_bands_1_5pct_packed_class_profile[c];
                     const int length = skylight_sh_7_bands_1_5pct_packed_next_length(&bits,
-                        &lengths[channel][other]);
+                        &lengths[c][other]);
                     double sum = 0.0;
                     for (i = 0; i < length; ++i) {
                         const int number = skylight_sh_7_bands_1_5pct_packed_next_number(&bits,
@@ -706,38 +1470,30 @@ static inline void skylight_sh_7_bands_1_5pct_packed_combine_double(
                     }
                     value += sum * others[other];
                 }
-                skylight_sh_7_bands_1_5pct_packed_place((skylight_sh_7_bands_1_5pct_packed_real)(
-                    value * (double)SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_STEP), l, m,
-                                  cosines, sines, weights[channel]);
+                sums[c][column] = value * (double)SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_STEP;
             }
         }
     }
 }
 
-/* What becomes of the first `bands` bands once they are stored; the others become 0. */
+/* What becomes of the first `bands` bands once they are stored. */
 static inline void skylight_sh_7_bands_1_5pct_packed_finish(int bands, int lights,
-    const skylight_sh_7_bands_1_5pct_packed_real *cosines,
-                                      const skylight_sh_7_bands_1_5pct_packed_real *sines,
                                       float
                                           weights[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CHANNELS]
                                           [SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WEIGHTS])
 {
-    if (bands < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BANDS) {
-        int channel, i;
-        for (channel = 0; channel < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CHANNELS; ++channel)
-            for (i = bands * bands; i < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WEIGHTS; ++i)
-                weights[channel][i] = 0.0f;
-    }
+    (void)bands;
     (void)lights;
-    (void)cosines;
-    (void)sines;
+    (void)weights;
 }
 
 /* Evaluates the first `bands` bands (1 to SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BANDS, clamped like an
  * input) and zeroes the
-   rest; returns the status. */
-static inline int skylight_sh_7_bands_1_5pct_packed_evaluate(const float
-    inputs[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_AXES], float azimuth,
+   rest; returns the status. `rows` are the table's; those of a packed table may be missing. */
+static inline int skylight_sh_7_bands_1_5pct_packed_evaluate(const
+    skylight_sh_7_bands_1_5pct_packed_real *rows,
+                                       const float inputs[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_AXES],
+                                           float azimuth,
                                        int bands,
                                        float
                                            weights[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CHANNELS]
@@ -747,8 +1503,15 @@ static inline int skylight_sh_7_bands_1_5pct_packed_evaluate(const float
         first[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_FIRST],
         others[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_OTHERS];
     skylight_sh_7_bands_1_5pct_packed_real cosines[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BANDS],
-        sines[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BANDS], scale;
-    int i, status = skylight_sh_7_bands_1_5pct_packed_inputs(inputs, azimuth, x);
+        sines[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BANDS];
+    skylight_sh_7_bands_1_5pct_packed_real
+        sums[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASSES][SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_ROOM];
+    skylight_sh_7_bands_1_5pct_packed_real factors[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CHANNELS *
+        SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASSES];
+    skylight_sh_7_bands_1_5pct_packed_real light = SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_EXPOSURE,
+        radius = 1;
+    skylight_sh_7_bands_1_5pct_packed_real early[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_EARLY];
+    int i, all, status = skylight_sh_7_bands_1_5pct_packed_inputs(inputs, azimuth, x);
     if (status == 2) {
         memset(weights, 0, sizeof(float) * SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CHANNELS *
             SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WEIGHTS);
@@ -758,46 +1521,105 @@ static inline int skylight_sh_7_bands_1_5pct_packed_evaluate(const float
         bands = bands < 1 ? 1 : SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BANDS;
         status = 1;
     }
-    scale = skylight_sh_7_bands_1_5pct_packed_scale(x) *
-        (skylight_sh_7_bands_1_5pct_packed_real)SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_EXPOSURE;
+    /* First what the library computes: calls keep no registers. */
+    radius = skylight_sh_7_bands_1_5pct_packed_sine(x);
+    skylight_sh_7_bands_1_5pct_packed_waves((skylight_sh_7_bands_1_5pct_packed_real)azimuth, radius,
+        cosines, sines);
     skylight_sh_7_bands_1_5pct_packed_first(x, first);
     skylight_sh_7_bands_1_5pct_packed_others(x, others);
-    for (i = 0; i < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_OTHERS; ++i) others[i] *= scale;
-    skylight_sh_7_bands_1_5pct_packed_waves((skylight_sh_7_bands_1_5pct_packed_real)azimuth,
-        cosines, sines);
-    skylight_sh_7_bands_1_5pct_packed_combine(first, others, cosines, sines, bands, weights);
-    skylight_sh_7_bands_1_5pct_packed_finish(bands, 1, cosines, sines, weights);
+    skylight_sh_7_bands_1_5pct_packed_begin_factors(x, early);
+    all = bands;
+    if (!rows) skylight_sh_7_bands_1_5pct_packed_sum_stream(first, others, all, sums);
+    if (rows)
+        skylight_sh_7_bands_1_5pct_packed_sum_class(rows, 0, first, others, all, sums[0]);
+    /* Between sums: what has begun above waits for itself, and there is more to do meanwhile. */
+    skylight_sh_7_bands_1_5pct_packed_end_factors(x, early, factors);
+    for (i = 0; i < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CHANNELS *
+        SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASSES; ++i) factors[i] *= light;
+    if (rows)
+    {
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASS(k) \
+    skylight_sh_7_bands_1_5pct_packed_sum_class(rows, k, first, others, all, sums[k]);
+        SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_OTHER_CLASSES(SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASS)
+#undef SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASS
+    }
+    skylight_sh_7_bands_1_5pct_packed_store(sums, factors, cosines, sines, all, weights);
+    skylight_sh_7_bands_1_5pct_packed_finish(bands, 1, weights);
+    if (bands < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BANDS) {
+        int channel;
+        for (channel = 0; channel < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CHANNELS; ++channel)
+            for (i = bands * bands; i < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WEIGHTS; ++i)
+                weights[channel][i] = 0.0f;
+    }
     return status;
+}
+
+/* One of many suns by itself. */
+static inline int skylight_sh_7_bands_1_5pct_packed_evaluate_one(const
+    skylight_sh_7_bands_1_5pct_packed_real *rows,
+                                           const float *const
+                                               inputs[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_AXES],
+                                           const float *azimuths, int sun,
+                                           float
+                                               weights[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CHANNELS]
+                                               [SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WEIGHTS])
+{
+    float given[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_AXES];
+    int axis;
+    for (axis = 0; axis < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_AXES; ++axis) given[axis] =
+        inputs[axis][sun];
+    return skylight_sh_7_bands_1_5pct_packed_evaluate(rows, given,
+        azimuths ? azimuths[sun] : SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_AZIMUTH,
+                                SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BANDS, weights);
 }
 
 /* Evaluates `count` suns from arrays, one an axis, and one of azimuths (or none, where the table
    fixes it); returns the largest status. */
 static inline int skylight_sh_7_bands_1_5pct_packed_evaluate_batch(
-    int count, const float *const inputs[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_AXES],
-        const float *azimuths,
-    float
+    const skylight_sh_7_bands_1_5pct_packed_real *rows, int count,
+        const float *const inputs[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_AXES],
+    const float *azimuths, float
         (*weights)[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CHANNELS]
         [SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WEIGHTS])
 {
-    int s, axis, worst = 0;
-    for (s = 0; s < count; ++s) {
-        const float azimuth = azimuths ? azimuths[s] : SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_AZIMUTH;
-        float sun[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_AXES];
-        int status;
-        for (axis = 0; axis < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_AXES; ++axis) sun[axis] =
-            inputs[axis][s];
-        status = skylight_sh_7_bands_1_5pct_packed_evaluate(sun, azimuth,
-            SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BANDS, weights[s]);
+    int s = 0, status, worst = 0;
+    for (; s < count; ++s) {
+        status = skylight_sh_7_bands_1_5pct_packed_evaluate_one(rows, inputs, azimuths, s,
+            weights[s]);
         worst = status > worst ? status : worst;
+    }
+    return worst;
+}
+
+/* The same with the suns of each weight side by side: `weights` is [channels][weights][count]. */
+static inline int skylight_sh_7_bands_1_5pct_packed_evaluate_columns(const
+    skylight_sh_7_bands_1_5pct_packed_real *rows, int count,
+                                               const float *const
+                                                   inputs[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_AXES],
+                                               const float *azimuths, float *weights)
+{
+    const size_t step = count > 0 ? (size_t)count : 0;
+    int s = 0, i, status, worst = 0;
+    for (; s < count; ++s) {
+        float
+            one[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CHANNELS]
+            [SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WEIGHTS];
+        status = skylight_sh_7_bands_1_5pct_packed_evaluate_one(rows, inputs, azimuths, s, one);
+        worst = status > worst ? status : worst;
+        for (i = 0; i < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CHANNELS *
+            SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WEIGHTS; ++i)
+            weights[(size_t)i * step + (size_t)s] = one[i /
+                SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WEIGHTS][i %
+                SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WEIGHTS];
     }
     return worst;
 }
 
 /* All products of `count` numbers and `size` functions, the functions' place fastest; returns how
    many. */
-static inline int skylight_sh_7_bands_1_5pct_packed_multiply(double *products, int count,
+static inline int skylight_sh_7_bands_1_5pct_packed_multiply_double(double *products, int count,
     const double *functions,
-                                       int size)
+                                              int size)
 {
     int i, k;
     for (k = count - 1; k >= 0; --k) {
@@ -807,10 +1629,43 @@ static inline int skylight_sh_7_bands_1_5pct_packed_multiply(double *products, i
     return count * size;
 }
 
+/* The sums of all terms in double, of the axes' functions. */
+static inline void skylight_sh_7_bands_1_5pct_packed_sum_double(
+    const skylight_sh_7_bands_1_5pct_packed_real *rows,
+        double
+        functions[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_AXES][SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_MOST],
+    double sums[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASSES][SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WIDTH])
+{
+    static const int sizes[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_AXES] =
+        SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_SIZES;
+    double others[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_OTHERS];
+    int axis, count = 1;
+    others[0] = 1.0;
+    for (axis = 1; axis < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_AXES; ++axis)
+        count = skylight_sh_7_bands_1_5pct_packed_multiply_double(others, count, functions[axis],
+            sizes[axis]);
+    skylight_sh_7_bands_1_5pct_packed_sum_stream_double(functions[0], others, sums);
+    (void)rows;
+    (void)count;
+}
+
+/* One channel's sum in double, at a column. */
+static inline double skylight_sh_7_bands_1_5pct_packed_mixed_double(double
+    sums[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASSES][SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WIDTH],
+                                              int channel, int column, const double *factors)
+{
+    double sum = 0.0;
+    int k;
+    for (k = 0; k < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASSES; ++k)
+        sum += factors[channel * SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASSES + k] * sums[k][column];
+    return sum;
+}
+
 /* Evaluates all bands, and their derivatives after each axis by the product rule, in double until
    they are stored: exact inside the ranges, and beyond one those at its edge. */
 static inline int skylight_sh_7_bands_1_5pct_packed_evaluate_gradient(
-    const float inputs[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_AXES], float azimuth,
+    const skylight_sh_7_bands_1_5pct_packed_real *rows,
+        const float inputs[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_AXES], float azimuth,
     float
         weights[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CHANNELS]
         [SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WEIGHTS],
@@ -818,24 +1673,29 @@ static inline int skylight_sh_7_bands_1_5pct_packed_evaluate_gradient(
         gradient[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_AXES][SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CHANNELS]
         [SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WEIGHTS])
 {
-    static const int sizes[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_AXES] =
-        SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_SIZES;
+    static const short columns[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BANDS] =
+        SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_COLUMNS;
     double x[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_AXES],
         functions[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_AXES][SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_MOST];
-    double slopes[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_AXES][SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_MOST],
-        scale[1 + SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_AXES];
+    double slopes[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_AXES][SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_MOST];
+    double factors[1 +
+        SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_AXES][SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_FACTORS];
+    double sums[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASSES][SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WIDTH];
+    double
+        sloped[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASSES][SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WIDTH];
+    double powers[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BANDS],
+        power_slopes[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BANDS];
     skylight_sh_7_bands_1_5pct_packed_real cosines[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BANDS],
         sines[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BANDS];
-    int axis, other, i;
-    const int status = skylight_sh_7_bands_1_5pct_packed_evaluate(inputs, azimuth,
-        SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BANDS, weights);
-    if (status == 2) {
-        memset(gradient, 0,
-               sizeof(float) * SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_AXES *
-                   SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CHANNELS *
-                   SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WEIGHTS);
-        return 2;
-    }
+    int axis, channel, i, l, m, sunk = 0;
+    const int status =
+        skylight_sh_7_bands_1_5pct_packed_evaluate(rows, inputs, azimuth,
+            SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BANDS, weights);
+    memset(gradient, 0,
+           sizeof(float) * SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_AXES *
+               SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CHANNELS *
+               SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WEIGHTS);
+    if (status == 2) return 2;
     for (axis = 0; axis < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_AXES; ++axis) {
         const double low = skylight_sh_7_bands_1_5pct_packed_slope_range[axis][0];
         const double high = skylight_sh_7_bands_1_5pct_packed_slope_range[axis][1];
@@ -843,31 +1703,59 @@ static inline int skylight_sh_7_bands_1_5pct_packed_evaluate_gradient(
         x[axis] = v < low ? low : v > high ? high : v;
         skylight_sh_7_bands_1_5pct_packed_functions(axis, x[axis], functions[axis], slopes[axis]);
     }
-    skylight_sh_7_bands_1_5pct_packed_scale_slopes(x, scale);
-    for (i = 0; i < 1 + SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_AXES; ++i) scale[i] *=
-        (double)SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_EXPOSURE;
-    skylight_sh_7_bands_1_5pct_packed_waves((skylight_sh_7_bands_1_5pct_packed_real)azimuth,
-        cosines, sines);
-    for (axis = 0; axis < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_AXES; ++axis) {
-        double first[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_MOST],
-            others[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_OTHERS];
-        int count = 1;
-        others[0] = 1.0;
-        for (other = 0; other < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_AXES; ++other) {
-            double one[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_MOST];
-            for (i = 0; i < sizes[other]; ++i) {
-                one[i] = functions[other][i];
-                if (other == axis) one[i] = scale[0] * slopes[axis][i] + scale[1 + axis] * one[i];
-                if (other == 0) first[i] = one[i];
-            }
-            if (other) count = skylight_sh_7_bands_1_5pct_packed_multiply(others, count, one,
-                sizes[other]);
-        }
-        skylight_sh_7_bands_1_5pct_packed_combine_double(first, others, cosines, sines,
-            gradient[axis]);
-        skylight_sh_7_bands_1_5pct_packed_finish(SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BANDS, 0,
-            cosines, sines, gradient[axis]);
+    skylight_sh_7_bands_1_5pct_packed_factor_slopes(x, &factors[0][0]);
+    for (axis = 0; axis < 1 + SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_AXES; ++axis)
+        for (i = 0; i < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_FACTORS; ++i)
+            factors[axis][i] *= (double)SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_EXPOSURE;
+    for (m = 0; m < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BANDS; ++m) {
+        powers[m] = 1.0;
+        power_slopes[m] = 0.0;
     }
+    {
+        double sine[2];
+        skylight_sh_7_bands_1_5pct_packed_sine_slope(x, sine);
+        for (m = 1; m < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BANDS; ++m) {
+            powers[m] = powers[m - 1] * sine[0];
+            power_slopes[m] = (double)m * powers[m - 1] * sine[1];
+        }
+    }
+    skylight_sh_7_bands_1_5pct_packed_waves((skylight_sh_7_bands_1_5pct_packed_real)azimuth, 1,
+        cosines, sines);
+    skylight_sh_7_bands_1_5pct_packed_sum_double(rows, functions, sums);
+    for (axis = 0; axis < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_AXES; ++axis) {
+        double kept[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_MOST];
+        memcpy(kept, functions[axis], sizeof kept);
+        memcpy(functions[axis], slopes[axis], sizeof kept);
+        skylight_sh_7_bands_1_5pct_packed_sum_double(rows, functions, sloped);
+        memcpy(functions[axis], kept, sizeof kept);
+        for (channel = 0; channel < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CHANNELS; ++channel) {
+            float *const w = gradient[axis][channel];
+            for (l = 0; l < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BANDS; ++l) {
+                for (m = SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_FIRST_ORDER(l); m <= l && columns[l] >=
+                    0; ++m) {
+                    const int order = m < 0 ? -m : m;
+                    const int column = columns[l] + m -
+                        SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_FIRST_ORDER(l);
+                    double value =
+                        powers[order] *
+                        (skylight_sh_7_bands_1_5pct_packed_mixed_double(sloped, channel, column,
+                            factors[0]) +
+                         skylight_sh_7_bands_1_5pct_packed_mixed_double(sums, channel, column,
+                             factors[1 + axis]));
+                    if (axis == SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_SUN && !sunk)
+                        value += power_slopes[order] *
+                                 skylight_sh_7_bands_1_5pct_packed_mixed_double(sums, channel,
+                                     column, factors[0]);
+                    skylight_sh_7_bands_1_5pct_packed_place((skylight_sh_7_bands_1_5pct_packed_real)
+                        value, l, m, cosines, sines, w);
+                }
+            }
+        }
+        skylight_sh_7_bands_1_5pct_packed_finish(SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BANDS, 0,
+            gradient[axis]);
+    }
+    (void)power_slopes;
+    (void)sunk;
     return status;
 }
 
@@ -878,7 +1766,7 @@ SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_API int skylight_sh_7_bands_1_5pct_packed_weig
 {
     const float skylight_sh_7_bands_1_5pct_packed_given[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_AXES] = {
         sun_zenith, turbidity };
-    return skylight_sh_7_bands_1_5pct_packed_evaluate(skylight_sh_7_bands_1_5pct_packed_given,
+    return skylight_sh_7_bands_1_5pct_packed_evaluate(NULL, skylight_sh_7_bands_1_5pct_packed_given,
         sun_azimuth, SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BANDS, weights);
 }
 
@@ -889,7 +1777,7 @@ SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_API int skylight_sh_7_bands_1_5pct_packed_weig
 {
     const float skylight_sh_7_bands_1_5pct_packed_given[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_AXES] = {
         sun_zenith, turbidity };
-    return skylight_sh_7_bands_1_5pct_packed_evaluate(skylight_sh_7_bands_1_5pct_packed_given,
+    return skylight_sh_7_bands_1_5pct_packed_evaluate(NULL, skylight_sh_7_bands_1_5pct_packed_given,
         sun_azimuth, bands, weights);
 }
 
@@ -902,7 +1790,26 @@ SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_API int skylight_sh_7_bands_1_5pct_packed_weig
     const float *const
         skylight_sh_7_bands_1_5pct_packed_given[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_AXES] = {
         sun_zenith, turbidity };
-    return skylight_sh_7_bands_1_5pct_packed_evaluate_batch(count,
+    float skylight_sh_7_bands_1_5pct_packed_memory[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_UNPACKED];
+    if (count > 1)
+        skylight_sh_7_bands_1_5pct_packed_unpack_rows(skylight_sh_7_bands_1_5pct_packed_memory);
+    return skylight_sh_7_bands_1_5pct_packed_evaluate_batch(count > 1 ?
+        skylight_sh_7_bands_1_5pct_packed_memory : NULL, count,
+        skylight_sh_7_bands_1_5pct_packed_given, sun_azimuth, weights);
+}
+
+SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_API int skylight_sh_7_bands_1_5pct_packed_weights_columns(int
+    count, const float *sun_zenith, const float *sun_azimuth, const float *turbidity,
+    float *weights)
+{
+    const float *const
+        skylight_sh_7_bands_1_5pct_packed_given[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_AXES] = {
+        sun_zenith, turbidity };
+    float skylight_sh_7_bands_1_5pct_packed_memory[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_UNPACKED];
+    if (count > 1)
+        skylight_sh_7_bands_1_5pct_packed_unpack_rows(skylight_sh_7_bands_1_5pct_packed_memory);
+    return skylight_sh_7_bands_1_5pct_packed_evaluate_columns(count > 1 ?
+        skylight_sh_7_bands_1_5pct_packed_memory : NULL, count,
         skylight_sh_7_bands_1_5pct_packed_given, sun_azimuth, weights);
 }
 
@@ -916,9 +1823,65 @@ SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_API int skylight_sh_7_bands_1_5pct_packed_weig
 {
     const float skylight_sh_7_bands_1_5pct_packed_given[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_AXES] = {
         sun_zenith, turbidity };
-    return
-        skylight_sh_7_bands_1_5pct_packed_evaluate_gradient(skylight_sh_7_bands_1_5pct_packed_given,
-        sun_azimuth, weights, gradient);
+    return skylight_sh_7_bands_1_5pct_packed_evaluate_gradient(NULL,
+        skylight_sh_7_bands_1_5pct_packed_given, sun_azimuth, weights, gradient);
+}
+
+SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_API void skylight_sh_7_bands_1_5pct_packed_unpack(float
+    memory[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_UNPACKED])
+{
+    skylight_sh_7_bands_1_5pct_packed_unpack_rows(memory);
+}
+
+SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_API int skylight_sh_7_bands_1_5pct_packed_unpacked_weights(const
+    float memory[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_UNPACKED], float sun_zenith, float sun_azimuth,
+    float turbidity, float
+    weights[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CHANNELS][SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WEIGHTS])
+{
+    const float skylight_sh_7_bands_1_5pct_packed_given[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_AXES] = {
+        sun_zenith, turbidity };
+    return skylight_sh_7_bands_1_5pct_packed_evaluate(memory,
+        skylight_sh_7_bands_1_5pct_packed_given, sun_azimuth,
+        SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BANDS, weights);
+}
+
+SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_API int
+    skylight_sh_7_bands_1_5pct_packed_unpacked_weights_bands(const float
+    memory[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_UNPACKED], float sun_zenith, float sun_azimuth,
+    float turbidity, int bands, float
+    weights[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CHANNELS][SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WEIGHTS])
+{
+    const float skylight_sh_7_bands_1_5pct_packed_given[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_AXES] = {
+        sun_zenith, turbidity };
+    return skylight_sh_7_bands_1_5pct_packed_evaluate(memory,
+        skylight_sh_7_bands_1_5pct_packed_given, sun_azimuth, bands, weights);
+}
+
+SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_API int
+    skylight_sh_7_bands_1_5pct_packed_unpacked_weights_batch(const float
+    memory[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_UNPACKED], int count, const float *sun_zenith,
+    const float *sun_azimuth, const float *turbidity,
+    float
+    (*weights)[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CHANNELS]
+    [SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WEIGHTS])
+{
+    const float *const
+        skylight_sh_7_bands_1_5pct_packed_given[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_AXES] = {
+        sun_zenith, turbidity };
+    return skylight_sh_7_bands_1_5pct_packed_evaluate_batch(memory, count,
+        skylight_sh_7_bands_1_5pct_packed_given, sun_azimuth, weights);
+}
+
+SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_API int
+    skylight_sh_7_bands_1_5pct_packed_unpacked_weights_columns(const float
+    memory[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_UNPACKED], int count, const float *sun_zenith,
+    const float *sun_azimuth, const float *turbidity, float *weights)
+{
+    const float *const
+        skylight_sh_7_bands_1_5pct_packed_given[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_AXES] = {
+        sun_zenith, turbidity };
+    return skylight_sh_7_bands_1_5pct_packed_evaluate_columns(memory, count,
+        skylight_sh_7_bands_1_5pct_packed_given, sun_azimuth, weights);
 }
 
 /* The dominant light's direction, a unit vector: where the linear part of the weights, summed over
