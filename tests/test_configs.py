@@ -144,16 +144,16 @@ def header_agrees(folder: Path, prefix: str) -> None:
     assert np.abs(got - expected).max() < 2e-6 * np.abs(expected).max()
 
 
-@pytest.mark.parametrize(("light", "count"), [(Preetham(), 25), (Perez(category=5), 3)], ids=["preetham", "perez"])
+@pytest.mark.parametrize(("light", "count"), [(Preetham(), 20), (Perez(category=5), 1)], ids=["preetham", "perez"])
 def test_a_prefactor_counts_the_numbers_in_its_code(light: Light, count: int) -> None:
-    """Every number written into the formula's text, constants left out: a table's bytes count them."""
+    """Every different number written into the formula's text, constants left out: a table's bytes count them."""
     hint = light.hints.prefactor
     assert hint is not None
     axes = [Axis(name, domain.low, domain.high).specified for name, domain in light.domains.items() if name in hint.axes]
     program = closed_form(hint, axes).program
-    assert program.literals == count
+    assert len(program.literals) == count
     # Constants printed as names, so that every digit in the text is a literal's.
     names = replace(program, constants=tuple(float(7000 + i) for i in range(len(program.constants))))
     lines, results = statements(names, C_DOUBLE, [f"x{i}" for i in range(len(axes))])
     text = re.sub(r"\b7\d\d\d\.0\b", "k", "\n".join([*lines, *results]))
-    assert len(re.findall(r"(?<![\w.])(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?\b", text)) == count
+    assert len(set(re.findall(r"(?<![\w.])(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?\b", text))) == count

@@ -116,7 +116,7 @@ def test_what_is_lost_of_a_known_error(made: tuple[Path, Config], under: lightin
     """A table whose weights are all 1 % too large loses 1 % everywhere; more bands only change what bands lose."""
     (place, config), on = made, under
     table = runtime.read(place / "reports" / "small" / "export" / "skylight_sh.npz")
-    assert isinstance(table.body, runtime.Rows)
+    assert isinstance(table.body, runtime.ClassRows)
     larger = replace(table, body=replace(table.body, rows=table.body.rows * table.body.rows.dtype.type(1.01)))
     plain, brighter = (lighting.measure(t, on) for t in (table, larger))
     towards = lighting.normals()

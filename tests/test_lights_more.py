@@ -100,9 +100,9 @@ def test_every_general_sky_fits_into_two_kilobytes(sky: int, tmp_path: Path) -> 
     for old, new in (
         ("sky = 12", f"sky = {sky}"),
         ("random = 200", "random = 50"),
-        ("nodes = 49", "nodes = 25"),
+        ("nodes = 33", "nodes = 25"),
         ("verification = 97", "verification = 65"),
-        ("degrees = [3, 24]", "degrees = [3, 16]"),
+        ("degrees = [3, 18]", "degrees = [3, 16]"),
         ("budgets = [0.015, 0.001, 0.00005]", 'budgets = [0.001]\nlayouts = ["packed"]'),
         ('"7-bands-0.1pct"', '"7-bands-0.1pct-packed"'),
     ):

@@ -18,7 +18,7 @@ from skylight_sh.config import load
 from skylight_sh.run.provenance import whole_settings
 from skylight_sh.run.runner import Result
 from skylight_sh.run.verify import differences, released_config
-from skylight_sh.runtime import Rows
+from skylight_sh.runtime import ClassRows
 from skylight_sh.table import npz
 
 
@@ -105,7 +105,7 @@ def test_a_release_tells_its_config(released: Path) -> None:
 def test_arrays_are_compared_as_numbers(small_run: Result) -> None:
     data = (small_run.folder / "export" / "skylight_sh.npz").read_bytes()
     table = runtime.read(io.BytesIO(data))
-    assert isinstance(table.body, Rows)
+    assert isinstance(table.body, ClassRows)
     rows = table.body.rows.copy()
     rows[2, 3] = np.float32(1.5) * rows[2, 3]
     changed = npz.write(replace(table, body=replace(table.body, rows=rows)))

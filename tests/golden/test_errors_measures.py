@@ -25,7 +25,8 @@ def test_e_mean_is_a_root_of_squares_and_e_max_a_sum() -> None:
     absolute, root = errors.by_band(residual, DEGREES, 2)
     assert absolute[:, 0].tolist() == [[3.0, 19.0], [0.0, 7.0]]
     assert root[:, 0] == pytest.approx(np.array([[3.0, 13.0], [0.0, 7.0]]), rel=1e-15)
-    sampled = Sampled(np.ones((2, 1)), residual)
+    plain = np.ones((2, 1, 1)), residual, np.ones(2), np.zeros(4, dtype=np.int64)
+    sampled = Sampled(np.ones((2, 1)), *plain)
     assert sampled.errors(np.zeros((1, 4, 1))) == pytest.approx(np.array([[13.0], [7.0]]), rel=1e-15)
 
 

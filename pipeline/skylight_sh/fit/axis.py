@@ -58,6 +58,8 @@ class Axis:
     def fit_nodes(self, count: int, spacing: str) -> Array:
         """Return ``count`` rising nodes: Chebyshev roots in the fit's variable, or ``uniform`` with both ends.
 
+        Of maps that have no nodes of their own, roots in the parameter itself.
+
         >>> Axis("height", -1.0, 1.0).fit_nodes(2, "chebyshev").round(4).tolist()
         [-0.7071, 0.7071]
         """
@@ -66,7 +68,7 @@ class Axis:
         if spacing == "uniform":
             return np.linspace(self.low, self.high, count)
         u = -np.cos(np.pi * (np.arange(count) + 0.5) / count)
-        return self.unscaled(u) if self.map != "raw" else self._spread(u)
+        return self.unscaled(u) if VARIABLES[self.map].own_nodes else self._spread(u)
 
     def verification_nodes(self, count: int, avoid: Array) -> Array:
         """Return ``count`` rising nodes with both ends, dense towards them, that share no interior one with ``avoid``.

@@ -23,4 +23,6 @@ VARIABLE = Variable(
     forward=lambda v, k: k[1] * (v * v - k[0]) / (k[2] - v * v) - 1,
     inverse=lambda u, k: np.sqrt(((u + 1) * k[2] + k[1] * k[0]) / (u + 1 + k[1])),
     allowed=_allowed,
+    # In the square they would be far apart near 0, where other fits of the same samples need them.
+    own_nodes=False,
 )

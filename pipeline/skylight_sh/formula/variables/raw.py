@@ -8,4 +8,5 @@ VARIABLE = Variable(
     constants=lambda *_: (),
     forward=lambda v, _: v,
     inverse=lambda u, _: u,
+    own_nodes=False,
 )
