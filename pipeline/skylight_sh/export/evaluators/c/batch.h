@@ -123,23 +123,6 @@ static inline int skylight_sh_evaluate_suns(
     (void)k;
     return worst;
 }
-
-/* Four rows of four numbers become four of theirs. */
-static inline void skylight_sh_turn_four(const float *from, int from_step, float *to, int to_step)
-{
-    const skylight_sh_four a = skylight_sh_load_four(from);
-    const skylight_sh_four b = skylight_sh_load_four(from + from_step);
-    const skylight_sh_four c = skylight_sh_load_four(from + 2 * from_step);
-    const skylight_sh_four d = skylight_sh_load_four(from + 3 * from_step);
-    const skylight_sh_four ab = SKYLIGHT_SH_PICK(a, b, 0, 4, 1, 5);
-    const skylight_sh_four cd = SKYLIGHT_SH_PICK(c, d, 0, 4, 1, 5);
-    const skylight_sh_four ba = SKYLIGHT_SH_PICK(a, b, 2, 6, 3, 7);
-    const skylight_sh_four dc = SKYLIGHT_SH_PICK(c, d, 2, 6, 3, 7);
-    skylight_sh_keep(to, SKYLIGHT_SH_PICK(ab, cd, 0, 1, 4, 5));
-    skylight_sh_keep(to + to_step, SKYLIGHT_SH_PICK(ab, cd, 2, 3, 6, 7));
-    skylight_sh_keep(to + 2 * to_step, SKYLIGHT_SH_PICK(ba, dc, 0, 1, 4, 5));
-    skylight_sh_keep(to + 3 * to_step, SKYLIGHT_SH_PICK(ba, dc, 2, 3, 6, 7));
-}
 #endif
 #endif
 
@@ -149,27 +132,8 @@ static inline int skylight_sh_evaluate_batch(
     const skylight_sh_real *rows, int count, const float *const inputs[SKYLIGHT_SH_AXES],
     const float *azimuths, float (*weights)[SKYLIGHT_SH_CHANNELS][SKYLIGHT_SH_WEIGHTS])
 {
-    int s = 0, status, worst = 0;
-#if SKYLIGHT_SH_HAS_WIDE
-#ifdef SKYLIGHT_SH_SUNS
-    enum { numbers = SKYLIGHT_SH_CHANNELS * SKYLIGHT_SH_WEIGHTS };
-    for (; s + SKYLIGHT_SH_SUNS <= count; s += SKYLIGHT_SH_SUNS) {
-        float out[numbers][SKYLIGHT_SH_SUNS];
-        int i, k;
-        status = skylight_sh_evaluate_suns(rows, inputs, azimuths, s, out);
-        worst = status > worst ? status : worst;
-        for (k = 0; k < SKYLIGHT_SH_SUNS; k += 4) {
-            for (i = 0; i < numbers; i += 4) {
-                /* The last four may overlap those before. */
-                const int at = i + 4 <= numbers ? i : numbers - 4;
-                skylight_sh_turn_four(out[at] + k, SKYLIGHT_SH_SUNS, &weights[s + k][0][0] + at,
-                                      numbers);
-            }
-        }
-    }
-#endif
-#endif
-    for (; s < count; ++s) {
+    int s, status, worst = 0;
+    for (s = 0; s < count; ++s) {
         status = skylight_sh_evaluate_one(rows, inputs, azimuths, s, weights[s]);
         worst = status > worst ? status : worst;
     }
@@ -194,12 +158,20 @@ static inline int skylight_sh_evaluate_columns(const skylight_sh_real *rows, int
     }
 #endif
 #endif
-    for (; s < count; ++s) {
-        float one[SKYLIGHT_SH_CHANNELS][SKYLIGHT_SH_WEIGHTS];
-        status = skylight_sh_evaluate_one(rows, inputs, azimuths, s, one);
-        worst = status > worst ? status : worst;
+    while (s < count) {
+        /* Some at once, so that what is written lies together. */
+        float some[16][SKYLIGHT_SH_CHANNELS][SKYLIGHT_SH_WEIGHTS];
+        const int now = count - s < 16 ? count - s : 16;
+        int k;
+        for (k = 0; k < now; ++k) {
+            status = skylight_sh_evaluate_one(rows, inputs, azimuths, s + k, some[k]);
+            worst = status > worst ? status : worst;
+        }
         for (i = 0; i < SKYLIGHT_SH_CHANNELS * SKYLIGHT_SH_WEIGHTS; ++i)
-            weights[(size_t)i * step + (size_t)s] = one[i / SKYLIGHT_SH_WEIGHTS][i % SKYLIGHT_SH_WEIGHTS];
+            for (k = 0; k < now; ++k)
+                weights[(size_t)i * step + (size_t)(s + k)] =
+                    some[k][i / SKYLIGHT_SH_WEIGHTS][i % SKYLIGHT_SH_WEIGHTS];
+        s += now;
     }
     return worst;
 }

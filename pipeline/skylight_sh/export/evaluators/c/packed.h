@@ -11,7 +11,8 @@ typedef struct {
 static inline void skylight_sh_fill(skylight_sh_bits *b)
 {
     const unsigned char *const end = skylight_sh_stream + sizeof skylight_sh_stream;
-    while (b->count <= 56 && b->next < end) {
+    /* At most 63 bits, so that there is a zero above them. */
+    while (b->count < 56 && b->next < end) {
         b->held |= (uint64_t)*b->next++ << b->count;
         b->count += 8;
     }
@@ -28,19 +29,34 @@ static inline unsigned skylight_sh_fixed(skylight_sh_bits *b, int width)
     return value;
 }
 
+/* How many ones stand before the first zero, from the low end; what is held has a zero. */
+static inline int skylight_sh_ones(uint64_t held)
+{
+#ifdef __GNUC__
+    return __builtin_ctzll(~(unsigned long long)held);
+#else
+    int ones = 0;
+    for (; held & 1; held >>= 1) ++ones;
+    return ones;
+#endif
+}
+
 /* A Rice code of `low` low bits: ones, a zero, the low bits; then folded back: 0, 1, 2, 3 -> 0, -1,
    1, -2. */
 static inline int skylight_sh_rice(skylight_sh_bits *b, int low)
 {
     unsigned high = 0, folded;
+    int ones;
     if (b->count < 32) skylight_sh_fill(b);
-    while (b->held & 1) {
-        ++high;
-        b->held >>= 1;
-        if (--b->count < 1) skylight_sh_fill(b);
+    while ((ones = skylight_sh_ones(b->held)) >= b->count) {
+        high += (unsigned)b->count;
+        b->held = 0;
+        b->count = 0;
+        skylight_sh_fill(b);
     }
-    b->held >>= 1;
-    --b->count;
+    high += (unsigned)ones;
+    b->held = b->held >> ones >> 1;
+    b->count -= ones + 1;
     folded = (high << low) | skylight_sh_fixed(b, low);
     return folded & 1 ? -(int)(folded >> 1) - 1 : (int)(folded >> 1);
 }

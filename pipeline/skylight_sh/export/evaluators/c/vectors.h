@@ -30,10 +30,11 @@ typedef float skylight_sh_lanes __attribute__((vector_size(4 * SKYLIGHT_SH_LANES
 typedef float skylight_sh_four __attribute__((vector_size(16)));
 typedef int skylight_sh_order __attribute__((vector_size(16)));
 
+/* The same number in all places: v - 0 is v, which 0 + v need not be. */
 static inline skylight_sh_lanes skylight_sh_spread(float v)
 {
     const skylight_sh_lanes zeros = {0};
-    return zeros + v;
+    return v - zeros;
 }
 
 static inline skylight_sh_lanes skylight_sh_load(const float *from)
@@ -59,7 +60,7 @@ static inline skylight_sh_lanes skylight_sh_add(skylight_sh_lanes a, skylight_sh
 static inline skylight_sh_four skylight_sh_spread_four(float v)
 {
     const skylight_sh_four zeros = {0};
-    return zeros + v;
+    return v - zeros;
 }
 
 static inline skylight_sh_four skylight_sh_load_four(const float *from)
