@@ -142,8 +142,8 @@ def test_a_wrong_header_fails_its_self_test(tmp_path: Path) -> None:
     faults = {
         "a last bit of status": header.replace("(v > skylight_sh_inside", "(v >= skylight_sh_inside"),
         "a weight off by 1e-5": header.replace(
-            "sines, weights);\n    return status;\n",
-            "sines, weights);\n    weights[0][1] *= 1.00001f;\n    return status;\n",
+            "    return status;\n}\n\n/* One of many suns",
+            "    weights[0][1] *= 1.00001f;\n    return status;\n}\n\n/* One of many suns",
         ),
         "NaN by comparison": header.replace("(bits >= 0x7f800000u) + (bits > 0x7f800000u)", "v != v ? 2 : 0"),
     }
