@@ -31,14 +31,14 @@
  *   Define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_EXPOSURE before this file (where it holds the table)
  *   to multiply all weights (1 by default).
  *
- * Accuracy, as shipped: E_mean 0.0967 %, E_max 0.261 % of the least luminance of the same sky, at
+ * Accuracy, as shipped: E_mean 0.0959 %, E_max 0.231 % of the least luminance of the same sky, at
  * azimuth 0.
  * The expansion rings: the least value it takes, over all directions and measured sets, is -12.5 %
  * of its largest in the same set; the window below tames it.
- * Memory: 955 bytes of constants, packed into few bytes (a fast table takes more and less time).
+ * Memory: 939 bytes of constants, packed into few bytes (a fast table takes more and less time).
  *
  * Provenance
- *   skylight-sh 0.1.0, config preetham 50c449acd9f31f25, table 4-bands-0.1pct-packed
+ *   skylight-sh 0.1.0, config preetham 08540d17388f71b0, table 4-bands-0.1pct-packed
  */
 #ifdef __cplusplus
 #if __cplusplus < 201103L && !defined(_MSC_VER)
@@ -65,7 +65,7 @@ before."
 #endif
 
 #ifndef SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_H
-#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_H 0x0a7e6296
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_H 0x890e8b9e
 
 #include <math.h>
 #include <stdint.h>
@@ -91,9 +91,9 @@ before."
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CHANNELS 3
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_AXES 2
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_UNIT "cd/m2"
-#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_E_MEAN 9.670000e-04
-#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_E_MAX 2.610000e-03
-#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_UNPACKED 766
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_E_MEAN 9.592000e-04
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_E_MAX 2.310000e-03
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_UNPACKED 786
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_SUN_ZENITH_MIN 0.0f
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_SUN_ZENITH_MAX 1.57079637f
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_TURBIDITY_MIN 2.5f
@@ -179,7 +179,7 @@ SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_API void skylight_sh_4_bands_0_1pct_packed_win
     float
     weights[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CHANNELS][SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WEIGHTS]);
 
-#elif SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_H != 0x0a7e6296
+#elif SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_H != 0x890e8b9e
 #error "Another table has the prefix skylight_sh_4_bands_0_1pct_packed_4_bands_0_1pct_packed \
 already: export one of them under a prefix of its own."
 #endif /* SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_H */
@@ -226,24 +226,24 @@ static const skylight_sh_4_bands_0_1pct_packed_real
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_ROOM 16
 /* All rows; of each class the first row, how many, and the place of its
    first product. */
-#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_TERMS 76
-#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_STARTS { 0, 31, 53 }
-#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_COUNTS { 31, 22, 23 }
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_TERMS 78
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_STARTS { 0, 32, 54 }
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_COUNTS { 32, 22, 24 }
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_PLACES { 0, 32, 56 }
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_PRODUCTS_ROOM 84
 /* Of each class and product of the other axes' functions: how many
    functions of the first axis it has. */
-#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_LENGTHS { { 8, 7, 6, 5, 4, 1 }, { 6, 6, 5, 3, 2, 0 }, { \
-    7, 6, 5, 3, 2, 0 } }
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_LENGTHS { { 8, 7, 6, 6, 4, 1 }, { 6, 6, 5, 3, 2, 0 }, { \
+    7, 6, 5, 4, 2, 0 } }
 /* The same: of each that has any, class, place of the first product, how
    many, the other axes' product. */
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_PRODUCTS(PRODUCT) \
     PRODUCT(0, 0, 8, 0) \
     PRODUCT(0, 8, 7, 1) \
     PRODUCT(0, 15, 6, 2) \
-    PRODUCT(0, 21, 5, 3) \
-    PRODUCT(0, 26, 4, 4) \
-    PRODUCT(0, 30, 1, 5) \
+    PRODUCT(0, 21, 6, 3) \
+    PRODUCT(0, 27, 4, 4) \
+    PRODUCT(0, 31, 1, 5) \
     PRODUCT(1, 32, 6, 0) \
     PRODUCT(1, 38, 6, 1) \
     PRODUCT(1, 44, 5, 2) \
@@ -252,8 +252,8 @@ static const skylight_sh_4_bands_0_1pct_packed_real
     PRODUCT(2, 56, 7, 0) \
     PRODUCT(2, 63, 6, 1) \
     PRODUCT(2, 69, 5, 2) \
-    PRODUCT(2, 74, 3, 3) \
-    PRODUCT(2, 77, 2, 4)
+    PRODUCT(2, 74, 4, 3) \
+    PRODUCT(2, 78, 2, 4)
 /* Where sums go: of each degree, the first column, or -1 where it carries
    nothing. */
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_COLUMNS { 0, 1, 3, 6 }
@@ -271,43 +271,43 @@ static const skylight_sh_4_bands_0_1pct_packed_real
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_RUNS 6
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_RUN_PROFILE { 5, 3, -1, -7, -14, -18 }
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASS_PROFILE { -3, -10, -8 }
-#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_STEP 5.4359436e-05f
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_STEP 5.76972961e-05f
 
 /* Whole numbers as Rice codes. */
-static const unsigned char skylight_sh_4_bands_0_1pct_packed_stream[684] = {
-    71, 91, 217, 78, 17, 255, 191, 207, 118, 110, 228, 215, 138, 240, 56, 199, 255, 111, 74, 249, 6,
-    65, 99, 56, 218, 255, 53, 11, 156, 192, 235, 253, 95, 22, 200, 182, 123, 147, 181, 249, 63, 138,
-    8, 21, 18, 255, 233, 70, 87, 172, 63, 169, 68, 31, 226, 255, 247, 152, 255, 190, 29, 230, 32,
-    219, 255, 50, 111, 83, 99, 155, 239, 191, 245, 228, 84, 245, 203, 161, 11, 72, 91, 217, 82, 25,
-    160, 7, 142, 191, 46, 132, 115, 108, 88, 238, 40, 205, 107, 69, 202, 41, 126, 213, 34, 8, 70,
-    43, 14, 58, 122, 207, 54, 173, 12, 86, 217, 90, 20, 113, 189, 88, 34, 52, 119, 1, 50, 98, 250,
-    9, 227, 253, 60, 176, 84, 53, 133, 239, 251, 184, 133, 237, 24, 170, 5, 5, 165, 55, 190, 118,
-    179, 180, 239, 58, 135, 198, 145, 151, 219, 89, 2, 112, 28, 135, 151, 185, 99, 110, 67, 212, 27,
-    186, 144, 186, 111, 84, 38, 100, 107, 85, 46, 80, 191, 164, 86, 222, 89, 251, 70, 94, 221, 156,
-    108, 191, 100, 176, 114, 151, 15, 254, 48, 246, 0, 74, 246, 204, 246, 53, 42, 1, 237, 126, 232,
-    34, 66, 25, 79, 151, 74, 1, 169, 132, 139, 224, 63, 252, 233, 108, 110, 106, 212, 95, 97, 30,
-    231, 109, 125, 146, 150, 120, 189, 55, 244, 104, 13, 188, 106, 22, 4, 75, 82, 141, 14, 175, 175,
-    52, 251, 59, 37, 93, 177, 134, 217, 164, 15, 113, 2, 170, 141, 32, 126, 83, 207, 236, 248, 233,
-    124, 150, 221, 227, 213, 148, 25, 150, 85, 205, 70, 62, 32, 180, 44, 13, 224, 164, 66, 32, 157,
-    35, 148, 197, 51, 7, 212, 123, 173, 24, 119, 30, 85, 188, 209, 176, 47, 249, 70, 201, 141, 203,
-    176, 6, 98, 42, 45, 134, 187, 194, 248, 25, 114, 175, 155, 178, 205, 59, 5, 128, 150, 157, 136,
-    185, 21, 61, 245, 206, 120, 163, 205, 6, 155, 141, 13, 214, 50, 218, 17, 41, 15, 179, 190, 75,
-    0, 135, 144, 241, 90, 141, 139, 28, 125, 176, 84, 15, 193, 13, 218, 220, 80, 152, 170, 250, 145,
-    198, 146, 9, 118, 24, 128, 90, 80, 21, 20, 244, 251, 91, 22, 157, 238, 147, 104, 51, 199, 115,
-    125, 120, 143, 33, 27, 26, 8, 161, 238, 110, 220, 128, 204, 253, 3, 75, 22, 8, 91, 10, 215, 41,
-    160, 55, 26, 238, 200, 30, 87, 111, 143, 24, 99, 242, 167, 154, 143, 185, 189, 207, 166, 229,
-    73, 172, 214, 16, 154, 106, 53, 186, 154, 239, 250, 152, 0, 92, 66, 230, 78, 56, 49, 247, 60,
-    180, 171, 120, 225, 164, 214, 235, 36, 197, 149, 144, 223, 170, 121, 236, 65, 219, 28, 166, 60,
-    43, 154, 24, 100, 189, 147, 200, 114, 109, 127, 255, 245, 8, 192, 85, 89, 91, 92, 244, 253, 110,
-    49, 48, 219, 213, 3, 43, 135, 99, 209, 168, 225, 80, 157, 9, 141, 60, 28, 54, 60, 174, 42, 154,
-    6, 51, 162, 95, 125, 110, 194, 113, 94, 27, 50, 252, 206, 219, 217, 89, 160, 62, 207, 251, 109,
-    30, 41, 93, 1, 108, 109, 158, 148, 5, 80, 10, 148, 151, 211, 113, 183, 203, 110, 150, 33, 18,
-    140, 164, 104, 106, 145, 132, 60, 18, 219, 86, 152, 49, 55, 161, 181, 153, 73, 74, 131, 70, 42,
-    74, 102, 19, 96, 142, 25, 252, 18, 18, 23, 13, 91, 145, 209, 184, 155, 52, 224, 120, 154, 162,
-    198, 156, 128, 129, 221, 210, 25, 22, 203, 134, 8, 91, 177, 232, 180, 81, 53, 87, 13, 1, 152,
-    103, 252, 206, 191, 209, 66, 139, 117, 165, 82, 72, 33, 73, 74, 24, 72, 27, 39, 102, 80, 75, 1,
-    129, 41, 75, 16, 71, 46, 215, 91, 146, 234, 60, 172, 172, 68, 202, 144, 193, 16, 51, 110, 226,
-    208, 99, 20, 59, 72, 144, 214, 6, 180, 0
+static const unsigned char skylight_sh_4_bands_0_1pct_packed_stream[668] = {
+    71, 91, 217, 14, 25, 255, 191, 207, 198, 107, 170, 215, 130, 238, 52, 230, 255, 27, 8, 93, 197,
+    33, 12, 70, 255, 175, 26, 160, 4, 221, 238, 255, 34, 64, 182, 238, 13, 214, 198, 255, 8, 34,
+    211, 71, 252, 231, 25, 90, 173, 254, 148, 2, 117, 136, 255, 223, 243, 235, 235, 114, 128, 83,
+    172, 255, 229, 216, 102, 38, 54, 239, 191, 109, 132, 52, 245, 139, 145, 11, 72, 219, 217, 18,
+    41, 160, 103, 108, 190, 21, 98, 112, 94, 84, 156, 41, 184, 100, 7, 25, 226, 85, 51, 32, 95, 104,
+    113, 220, 216, 173, 89, 25, 132, 178, 36, 80, 162, 122, 208, 158, 153, 184, 48, 32, 250, 224,
+    251, 110, 101, 44, 181, 204, 204, 43, 13, 218, 219, 58, 153, 154, 145, 100, 233, 77, 110, 92,
+    164, 236, 169, 182, 161, 41, 68, 40, 165, 143, 115, 56, 136, 247, 204, 48, 156, 252, 237, 122,
+    220, 18, 234, 190, 81, 71, 136, 202, 138, 76, 64, 253, 2, 217, 181, 97, 235, 126, 212, 189, 194,
+    137, 214, 75, 134, 40, 119, 50, 234, 7, 169, 194, 146, 229, 56, 229, 107, 76, 248, 242, 90, 176,
+    35, 132, 237, 108, 169, 136, 144, 208, 247, 237, 218, 79, 75, 180, 181, 205, 155, 67, 95, 2,
+    142, 229, 151, 232, 8, 27, 197, 114, 89, 118, 214, 159, 222, 60, 134, 97, 169, 121, 111, 169,
+    237, 173, 232, 109, 231, 167, 219, 217, 31, 205, 123, 136, 159, 32, 107, 17, 192, 175, 232, 217,
+    126, 60, 238, 53, 198, 230, 124, 45, 232, 197, 114, 23, 198, 77, 60, 66, 255, 109, 20, 105, 7,
+    204, 128, 26, 112, 95, 173, 230, 137, 215, 122, 53, 55, 192, 22, 55, 216, 112, 98, 55, 236, 226,
+    178, 209, 220, 53, 163, 241, 230, 253, 102, 16, 203, 242, 238, 184, 105, 124, 89, 74, 241, 75,
+    51, 2, 115, 105, 89, 169, 52, 222, 133, 38, 67, 150, 177, 69, 197, 43, 118, 30, 164, 250, 168,
+    225, 242, 220, 148, 51, 178, 90, 183, 80, 139, 14, 150, 85, 12, 209, 188, 126, 33, 97, 86, 125,
+    191, 34, 151, 208, 171, 81, 32, 189, 3, 81, 208, 215, 247, 183, 57, 186, 237, 76, 221, 204, 227,
+    117, 78, 236, 17, 228, 67, 6, 30, 230, 238, 6, 141, 19, 247, 46, 115, 129, 176, 165, 112, 157,
+    2, 186, 16, 125, 35, 243, 104, 118, 27, 188, 20, 211, 59, 69, 121, 60, 173, 120, 48, 44, 44, 50,
+    212, 123, 98, 170, 149, 216, 106, 188, 250, 112, 2, 175, 245, 176, 149, 112, 94, 174, 118, 90,
+    85, 105, 255, 160, 86, 235, 36, 171, 213, 141, 221, 154, 113, 236, 57, 89, 20, 164, 59, 43, 149,
+    23, 100, 247, 194, 34, 139, 97, 253, 98, 254, 92, 12, 84, 79, 173, 46, 27, 190, 103, 143, 184,
+    62, 245, 16, 217, 127, 210, 75, 84, 140, 21, 201, 246, 35, 14, 27, 28, 55, 146, 74, 131, 25,
+    205, 175, 57, 147, 7, 206, 59, 51, 194, 59, 108, 98, 187, 142, 242, 94, 59, 70, 26, 75, 71, 109,
+    205, 147, 175, 128, 137, 9, 165, 243, 59, 247, 163, 244, 130, 34, 149, 73, 217, 207, 178, 70,
+    113, 36, 182, 172, 2, 195, 236, 66, 42, 51, 145, 136, 10, 46, 41, 69, 176, 3, 48, 199, 204, 184,
+    190, 194, 133, 65, 11, 46, 154, 122, 147, 5, 196, 142, 80, 84, 152, 17, 32, 168, 91, 150, 81,
+    145, 92, 136, 200, 23, 75, 226, 10, 80, 43, 117, 207, 128, 121, 96, 56, 141, 198, 9, 47, 206,
+    179, 38, 151, 156, 52, 101, 36, 36, 201, 127, 61, 131, 3, 85, 10, 12, 136, 47, 54, 24, 177, 237,
+    183, 28, 213, 121, 130, 179, 138, 208, 31, 127, 60, 200, 205, 26, 114, 140, 102, 131, 8, 242,
+    202, 160, 26
 };
 
 /* What all weights share: the closed form preetham_classes. */
@@ -850,11 +850,12 @@ typedef float skylight_sh_4_bands_0_1pct_packed_lanes __attribute__((vector_size
 typedef float skylight_sh_4_bands_0_1pct_packed_four __attribute__((vector_size(16)));
 typedef int skylight_sh_4_bands_0_1pct_packed_order __attribute__((vector_size(16)));
 
+/* The same number in all places: v - 0 is v, which 0 + v need not be. */
 static inline skylight_sh_4_bands_0_1pct_packed_lanes skylight_sh_4_bands_0_1pct_packed_spread(float
     v)
 {
     const skylight_sh_4_bands_0_1pct_packed_lanes zeros = {0};
-    return zeros + v;
+    return v - zeros;
 }
 
 static inline skylight_sh_4_bands_0_1pct_packed_lanes skylight_sh_4_bands_0_1pct_packed_load(const
@@ -884,7 +885,7 @@ static inline skylight_sh_4_bands_0_1pct_packed_four
     skylight_sh_4_bands_0_1pct_packed_spread_four(float v)
 {
     const skylight_sh_4_bands_0_1pct_packed_four zeros = {0};
-    return zeros + v;
+    return v - zeros;
 }
 
 static inline skylight_sh_4_bands_0_1pct_packed_four
@@ -1266,7 +1267,8 @@ static inline void skylight_sh_4_bands_0_1pct_packed_fill(skylight_sh_4_bands_0_
 {
     const unsigned char *const end = skylight_sh_4_bands_0_1pct_packed_stream + sizeof
         skylight_sh_4_bands_0_1pct_packed_stream;
-    while (b->count <= 56 && b->next < end) {
+    /* At most 63 bits, so that there is a zero above them. */
+    while (b->count < 56 && b->next < end) {
         b->held |= (uint64_t)*b->next++ << b->count;
         b->count += 8;
     }
@@ -1284,20 +1286,35 @@ static inline unsigned
     return value;
 }
 
+/* How many ones stand before the first zero, from the low end; what is held has a zero. */
+static inline int skylight_sh_4_bands_0_1pct_packed_ones(uint64_t held)
+{
+#ifdef __GNUC__
+    return __builtin_ctzll(~(unsigned long long)held);
+#else
+    int ones = 0;
+    for (; held & 1; held >>= 1) ++ones;
+    return ones;
+#endif
+}
+
 /* A Rice code of `low` low bits: ones, a zero, the low bits; then folded back: 0, 1, 2, 3 -> 0, -1,
    1, -2. */
 static inline int skylight_sh_4_bands_0_1pct_packed_rice(skylight_sh_4_bands_0_1pct_packed_bits *b,
     int low)
 {
     unsigned high = 0, folded;
+    int ones;
     if (b->count < 32) skylight_sh_4_bands_0_1pct_packed_fill(b);
-    while (b->held & 1) {
-        ++high;
-        b->held >>= 1;
-        if (--b->count < 1) skylight_sh_4_bands_0_1pct_packed_fill(b);
+    while ((ones = skylight_sh_4_bands_0_1pct_packed_ones(b->held)) >= b->count) {
+        high += (unsigned)b->count;
+        b->held = 0;
+        b->count = 0;
+        skylight_sh_4_bands_0_1pct_packed_fill(b);
     }
-    b->held >>= 1;
-    --b->count;
+    high += (unsigned)ones;
+    b->held = b->held >> ones >> 1;
+    b->count -= ones + 1;
     folded = (high << low) | skylight_sh_4_bands_0_1pct_packed_fixed(b, low);
     return folded & 1 ? -(int)(folded >> 1) - 1 : (int)(folded >> 1);
 }
@@ -1573,8 +1590,8 @@ static inline int skylight_sh_4_bands_0_1pct_packed_evaluate_batch(
         (*weights)[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CHANNELS]
         [SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WEIGHTS])
 {
-    int s = 0, status, worst = 0;
-    for (; s < count; ++s) {
+    int s, status, worst = 0;
+    for (s = 0; s < count; ++s) {
         status = skylight_sh_4_bands_0_1pct_packed_evaluate_one(rows, inputs, azimuths, s,
             weights[s]);
         worst = status > worst ? status : worst;
@@ -1591,17 +1608,25 @@ static inline int skylight_sh_4_bands_0_1pct_packed_evaluate_columns(const
 {
     const size_t step = count > 0 ? (size_t)count : 0;
     int s = 0, i, status, worst = 0;
-    for (; s < count; ++s) {
+    while (s < count) {
+        /* Some at once, so that what is written lies together. */
         float
-            one[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CHANNELS]
+            some[16][SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CHANNELS]
             [SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WEIGHTS];
-        status = skylight_sh_4_bands_0_1pct_packed_evaluate_one(rows, inputs, azimuths, s, one);
-        worst = status > worst ? status : worst;
+        const int now = count - s < 16 ? count - s : 16;
+        int k;
+        for (k = 0; k < now; ++k) {
+            status = skylight_sh_4_bands_0_1pct_packed_evaluate_one(rows, inputs, azimuths, s + k,
+                some[k]);
+            worst = status > worst ? status : worst;
+        }
         for (i = 0; i < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CHANNELS *
             SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WEIGHTS; ++i)
-            weights[(size_t)i * step + (size_t)s] = one[i /
-                SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WEIGHTS][i %
-                SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WEIGHTS];
+            for (k = 0; k < now; ++k)
+                weights[(size_t)i * step + (size_t)(s + k)] =
+                    some[k][i / SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WEIGHTS][i %
+                        SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WEIGHTS];
+        s += now;
     }
     return worst;
 }

@@ -31,14 +31,14 @@
  *   Define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_EXPOSURE before this file (where it holds the table)
  *   to multiply all weights (1 by default).
  *
- * Accuracy, as shipped: E_mean 1.39 %, E_max 3.71 % of the least luminance of the same sky, at
+ * Accuracy, as shipped: E_mean 1.43 %, E_max 4.01 % of the least luminance of the same sky, at
  * azimuth 0.
- * The expansion rings: the least value it takes, over all directions and measured sets, is -12.5 %
+ * The expansion rings: the least value it takes, over all directions and measured sets, is -12.6 %
  * of its largest in the same set; the window below tames it.
- * Memory: 553 bytes of constants, packed into few bytes (a fast table takes more and less time).
+ * Memory: 555 bytes of constants, packed into few bytes (a fast table takes more and less time).
  *
  * Provenance
- *   skylight-sh 0.1.0, config preetham 50c449acd9f31f25, table 4-bands-1.5pct-packed
+ *   skylight-sh 0.1.0, config preetham 08540d17388f71b0, table 4-bands-1.5pct-packed
  */
 #ifdef __cplusplus
 #if __cplusplus < 201103L && !defined(_MSC_VER)
@@ -65,7 +65,7 @@ before."
 #endif
 
 #ifndef SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_H
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_H 0x29be9dd8
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_H 0xd6de1f2a
 
 #include <math.h>
 #include <stdint.h>
@@ -91,9 +91,9 @@ before."
 #define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_CHANNELS 3
 #define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_AXES 2
 #define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_UNIT "cd/m2"
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_E_MEAN 1.394000e-02
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_E_MAX 3.710000e-02
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_UNPACKED 386
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_E_MEAN 1.432000e-02
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_E_MAX 4.013000e-02
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_UNPACKED 406
 #define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_SUN_ZENITH_MIN 0.0f
 #define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_SUN_ZENITH_MAX 1.57079637f
 #define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_TURBIDITY_MIN 2.5f
@@ -179,7 +179,7 @@ SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_API void skylight_sh_4_bands_1_5pct_packed_win
     float
     weights[SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_CHANNELS][SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_WEIGHTS]);
 
-#elif SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_H != 0x29be9dd8
+#elif SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_H != 0xd6de1f2a
 #error "Another table has the prefix skylight_sh_4_bands_1_5pct_packed_4_bands_1_5pct_packed \
 already: export one of them under a prefix of its own."
 #endif /* SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_H */
@@ -195,7 +195,7 @@ typedef float skylight_sh_4_bands_1_5pct_packed_real;
    functions. */
 #define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_FIRST 8
 #define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_OTHERS 4
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_SIZES { 5, 4 }
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_SIZES { 6, 4 }
 #define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_MOST 8
 #define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_AZIMUTH 0.0f
 /* The axis of the sun's zenith angle. */
@@ -226,24 +226,24 @@ static const skylight_sh_4_bands_1_5pct_packed_real
 #define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_ROOM 16
 /* All rows; of each class the first row, how many, and the place of its
    first product. */
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_TERMS 38
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_STARTS { 0, 17, 26 }
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_COUNTS { 17, 9, 12 }
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_TERMS 40
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_STARTS { 0, 18, 28 }
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_COUNTS { 18, 10, 12 }
 #define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_PLACES { 0, 20, 32 }
 #define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_PRODUCTS_ROOM 48
 /* Of each class and product of the other axes' functions: how many
    functions of the first axis it has. */
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_LENGTHS { { 5, 5, 4, 3 }, { 3, 3, 3, 0 }, { 5, 4, 2, 1 } }
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_LENGTHS { { 6, 5, 4, 3 }, { 4, 3, 3, 0 }, { 5, 4, 2, 1 } }
 /* The same: of each that has any, class, place of the first product, how
    many, the other axes' product. */
 #define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_PRODUCTS(PRODUCT) \
-    PRODUCT(0, 0, 5, 0) \
-    PRODUCT(0, 5, 5, 1) \
-    PRODUCT(0, 10, 4, 2) \
-    PRODUCT(0, 14, 3, 3) \
-    PRODUCT(1, 20, 3, 0) \
-    PRODUCT(1, 23, 3, 1) \
-    PRODUCT(1, 26, 3, 2) \
+    PRODUCT(0, 0, 6, 0) \
+    PRODUCT(0, 6, 5, 1) \
+    PRODUCT(0, 11, 4, 2) \
+    PRODUCT(0, 15, 3, 3) \
+    PRODUCT(1, 20, 4, 0) \
+    PRODUCT(1, 24, 3, 1) \
+    PRODUCT(1, 27, 3, 2) \
     PRODUCT(2, 32, 5, 0) \
     PRODUCT(2, 37, 4, 1) \
     PRODUCT(2, 41, 2, 2) \
@@ -263,26 +263,26 @@ static const skylight_sh_4_bands_1_5pct_packed_real
 /* Runs of numbers, one a product of the other axes' functions, and their
    profiles; what one step is worth. */
 #define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_RUNS 4
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_RUN_PROFILE { 3, 1, -4, -9 }
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_CLASS_PROFILE { -1, -9, -7 }
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_STEP 0.00102233887f
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_RUN_PROFILE { 3, 1, -4, -10 }
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_CLASS_PROFILE { -2, -10, -8 }
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_STEP 0.00100708008f
 
 /* Whole numbers as Rice codes. */
-static const unsigned char skylight_sh_4_bands_1_5pct_packed_stream[284] = {
-    69, 58, 101, 192, 255, 30, 241, 165, 118, 171, 252, 27, 176, 61, 57, 254, 85, 211, 88, 240, 32,
-    238, 103, 161, 147, 127, 207, 115, 119, 62, 191, 160, 122, 188, 107, 150, 34, 161, 50, 161, 39,
-    74, 215, 177, 184, 217, 173, 55, 90, 51, 62, 134, 115, 20, 130, 174, 163, 245, 97, 234, 15, 102,
-    53, 167, 87, 182, 233, 164, 254, 10, 63, 203, 130, 107, 44, 204, 31, 141, 104, 113, 162, 156,
-    237, 198, 26, 73, 229, 233, 131, 100, 205, 80, 137, 144, 25, 64, 184, 141, 27, 159, 212, 24,
-    219, 10, 221, 120, 98, 203, 58, 78, 44, 102, 139, 197, 180, 228, 19, 237, 252, 245, 193, 38,
-    111, 209, 242, 232, 237, 25, 85, 144, 70, 217, 95, 196, 170, 102, 173, 81, 168, 169, 14, 54, 93,
-    200, 171, 216, 182, 88, 194, 13, 87, 67, 109, 160, 177, 31, 78, 157, 28, 172, 130, 166, 195,
-    194, 198, 198, 192, 165, 169, 189, 193, 7, 129, 224, 88, 129, 143, 33, 177, 43, 183, 240, 243,
-    111, 107, 110, 106, 206, 88, 158, 229, 35, 151, 179, 133, 227, 218, 72, 92, 142, 183, 157, 185,
-    74, 172, 230, 240, 2, 55, 181, 228, 230, 87, 116, 52, 170, 10, 243, 122, 131, 186, 186, 147, 27,
-    15, 196, 54, 128, 239, 35, 86, 35, 101, 120, 45, 86, 146, 85, 134, 253, 146, 96, 56, 150, 200,
-    46, 232, 173, 70, 205, 65, 40, 230, 169, 97, 119, 148, 64, 141, 8, 128, 69, 229, 81, 165, 162,
-    55, 104, 194, 24, 116, 21, 246, 59, 116, 17, 86, 99, 126, 151, 142, 115, 168, 0
+static const unsigned char skylight_sh_4_bands_1_5pct_packed_stream[286] = {
+    165, 190, 117, 194, 255, 6, 193, 86, 203, 85, 254, 37, 205, 158, 28, 254, 220, 105, 44, 120, 16,
+    242, 103, 33, 39, 254, 205, 228, 246, 225, 252, 72, 23, 243, 213, 89, 200, 140, 237, 244, 200,
+    169, 60, 22, 110, 138, 11, 70, 215, 77, 143, 57, 73, 1, 233, 158, 74, 159, 168, 63, 53, 173, 26,
+    189, 50, 227, 202, 253, 18, 118, 129, 176, 13, 226, 249, 163, 40, 176, 60, 83, 206, 122, 89, 35,
+    233, 76, 63, 72, 86, 8, 21, 25, 219, 17, 83, 110, 247, 78, 64, 106, 148, 125, 165, 46, 60, 177,
+    174, 115, 98, 49, 91, 44, 166, 37, 31, 170, 231, 239, 62, 90, 13, 89, 150, 103, 113, 225, 176,
+    130, 52, 208, 18, 51, 86, 53, 41, 141, 198, 25, 43, 97, 211, 94, 174, 114, 235, 98, 9, 55, 53,
+    96, 141, 183, 131, 202, 122, 60, 133, 114, 184, 10, 154, 14, 75, 27, 27, 19, 151, 166, 246, 6,
+    159, 8, 6, 99, 38, 194, 150, 6, 216, 253, 91, 251, 51, 44, 107, 110, 138, 78, 89, 158, 229, 51,
+    183, 179, 23, 31, 215, 70, 137, 203, 241, 182, 51, 87, 137, 245, 156, 94, 208, 166, 214, 178,
+    243, 219, 58, 29, 228, 138, 243, 126, 131, 186, 186, 147, 155, 98, 200, 62, 161, 223, 102, 172,
+    134, 234, 244, 90, 174, 70, 171, 26, 252, 219, 162, 193, 162, 72, 182, 65, 111, 55, 107, 14,
+    145, 152, 166, 166, 221, 83, 9, 212, 136, 64, 88, 36, 151, 62, 253, 84, 142, 154, 50, 134, 92,
+    5, 253, 14, 93, 132, 110, 172, 64, 133, 51, 135, 146, 0
 };
 
 /* What all weights share: the closed form preetham_classes. */
@@ -428,7 +428,7 @@ static inline void skylight_sh_4_bands_1_5pct_packed_first(const
     out[2] = 2.0f * out[1] * out[1] - 1.0f;
     out[3] = 2.0f * out[1] * out[2] - out[1];
     out[4] = 2.0f * out[2] * out[2] - 1.0f;
-    out[5] = 0;
+    out[5] = 2.0f * out[2] * out[3] - out[1];
     out[6] = 0;
     out[7] = 0;
     (void)x;
@@ -502,11 +502,14 @@ static inline void skylight_sh_4_bands_1_5pct_packed_functions(int axis, double 
         out[3] = part_4 * out[2] - out[1];
         const double part_5 = 2.0 * out[2];
         out[4] = part_5 * out[2] - 1.0;
+        const double part_6 = 2.0 * out[2];
+        out[5] = part_6 * out[3] - out[1];
         slopes[0] = 0.0;
         slopes[1] = (-13.347972567941833) * (v + v) / part_1 - part_2 * -(v + v) / part_1;
         slopes[2] = 2.0 * slopes[1] * out[1] + part_3 * slopes[1];
         slopes[3] = 2.0 * slopes[1] * out[2] + part_4 * slopes[2] - slopes[1];
         slopes[4] = 2.0 * slopes[2] * out[2] + part_5 * slopes[2];
+        slopes[5] = 2.0 * slopes[2] * out[3] + part_6 * slopes[3] - slopes[1];
     }
     if (axis == 1) {
         out[0] = 1.0;
@@ -808,11 +811,12 @@ typedef float skylight_sh_4_bands_1_5pct_packed_lanes __attribute__((vector_size
 typedef float skylight_sh_4_bands_1_5pct_packed_four __attribute__((vector_size(16)));
 typedef int skylight_sh_4_bands_1_5pct_packed_order __attribute__((vector_size(16)));
 
+/* The same number in all places: v - 0 is v, which 0 + v need not be. */
 static inline skylight_sh_4_bands_1_5pct_packed_lanes skylight_sh_4_bands_1_5pct_packed_spread(float
     v)
 {
     const skylight_sh_4_bands_1_5pct_packed_lanes zeros = {0};
-    return zeros + v;
+    return v - zeros;
 }
 
 static inline skylight_sh_4_bands_1_5pct_packed_lanes skylight_sh_4_bands_1_5pct_packed_load(const
@@ -842,7 +846,7 @@ static inline skylight_sh_4_bands_1_5pct_packed_four
     skylight_sh_4_bands_1_5pct_packed_spread_four(float v)
 {
     const skylight_sh_4_bands_1_5pct_packed_four zeros = {0};
-    return zeros + v;
+    return v - zeros;
 }
 
 static inline skylight_sh_4_bands_1_5pct_packed_four
@@ -1224,7 +1228,8 @@ static inline void skylight_sh_4_bands_1_5pct_packed_fill(skylight_sh_4_bands_1_
 {
     const unsigned char *const end = skylight_sh_4_bands_1_5pct_packed_stream + sizeof
         skylight_sh_4_bands_1_5pct_packed_stream;
-    while (b->count <= 56 && b->next < end) {
+    /* At most 63 bits, so that there is a zero above them. */
+    while (b->count < 56 && b->next < end) {
         b->held |= (uint64_t)*b->next++ << b->count;
         b->count += 8;
     }
@@ -1242,20 +1247,35 @@ static inline unsigned
     return value;
 }
 
+/* How many ones stand before the first zero, from the low end; what is held has a zero. */
+static inline int skylight_sh_4_bands_1_5pct_packed_ones(uint64_t held)
+{
+#ifdef __GNUC__
+    return __builtin_ctzll(~(unsigned long long)held);
+#else
+    int ones = 0;
+    for (; held & 1; held >>= 1) ++ones;
+    return ones;
+#endif
+}
+
 /* A Rice code of `low` low bits: ones, a zero, the low bits; then folded back: 0, 1, 2, 3 -> 0, -1,
    1, -2. */
 static inline int skylight_sh_4_bands_1_5pct_packed_rice(skylight_sh_4_bands_1_5pct_packed_bits *b,
     int low)
 {
     unsigned high = 0, folded;
+    int ones;
     if (b->count < 32) skylight_sh_4_bands_1_5pct_packed_fill(b);
-    while (b->held & 1) {
-        ++high;
-        b->held >>= 1;
-        if (--b->count < 1) skylight_sh_4_bands_1_5pct_packed_fill(b);
+    while ((ones = skylight_sh_4_bands_1_5pct_packed_ones(b->held)) >= b->count) {
+        high += (unsigned)b->count;
+        b->held = 0;
+        b->count = 0;
+        skylight_sh_4_bands_1_5pct_packed_fill(b);
     }
-    b->held >>= 1;
-    --b->count;
+    high += (unsigned)ones;
+    b->held = b->held >> ones >> 1;
+    b->count -= ones + 1;
     folded = (high << low) | skylight_sh_4_bands_1_5pct_packed_fixed(b, low);
     return folded & 1 ? -(int)(folded >> 1) - 1 : (int)(folded >> 1);
 }
@@ -1531,8 +1551,8 @@ static inline int skylight_sh_4_bands_1_5pct_packed_evaluate_batch(
         (*weights)[SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_CHANNELS]
         [SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_WEIGHTS])
 {
-    int s = 0, status, worst = 0;
-    for (; s < count; ++s) {
+    int s, status, worst = 0;
+    for (s = 0; s < count; ++s) {
         status = skylight_sh_4_bands_1_5pct_packed_evaluate_one(rows, inputs, azimuths, s,
             weights[s]);
         worst = status > worst ? status : worst;
@@ -1549,17 +1569,25 @@ static inline int skylight_sh_4_bands_1_5pct_packed_evaluate_columns(const
 {
     const size_t step = count > 0 ? (size_t)count : 0;
     int s = 0, i, status, worst = 0;
-    for (; s < count; ++s) {
+    while (s < count) {
+        /* Some at once, so that what is written lies together. */
         float
-            one[SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_CHANNELS]
+            some[16][SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_CHANNELS]
             [SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_WEIGHTS];
-        status = skylight_sh_4_bands_1_5pct_packed_evaluate_one(rows, inputs, azimuths, s, one);
-        worst = status > worst ? status : worst;
+        const int now = count - s < 16 ? count - s : 16;
+        int k;
+        for (k = 0; k < now; ++k) {
+            status = skylight_sh_4_bands_1_5pct_packed_evaluate_one(rows, inputs, azimuths, s + k,
+                some[k]);
+            worst = status > worst ? status : worst;
+        }
         for (i = 0; i < SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_CHANNELS *
             SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_WEIGHTS; ++i)
-            weights[(size_t)i * step + (size_t)s] = one[i /
-                SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_WEIGHTS][i %
-                SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_WEIGHTS];
+            for (k = 0; k < now; ++k)
+                weights[(size_t)i * step + (size_t)(s + k)] =
+                    some[k][i / SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_WEIGHTS][i %
+                        SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_WEIGHTS];
+        s += now;
     }
     return worst;
 }

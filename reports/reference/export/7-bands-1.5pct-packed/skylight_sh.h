@@ -31,14 +31,14 @@
  *   Define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_EXPOSURE before this file (where it holds the table)
  *   to multiply all weights (1 by default).
  *
- * Accuracy, as shipped: E_mean 1.43 %, E_max 6.42 % of the least luminance of the same sky, at
+ * Accuracy, as shipped: E_mean 1.34 %, E_max 5.85 % of the least luminance of the same sky, at
  * azimuth 0.
- * The expansion rings: the least value it takes, over all directions and measured sets, is -12.5 %
+ * The expansion rings: the least value it takes, over all directions and measured sets, is -12.7 %
  * of its largest in the same set; the window below tames it.
- * Memory: 1103 bytes of constants, packed into few bytes (a fast table takes more and less time).
+ * Memory: 1139 bytes of constants, packed into few bytes (a fast table takes more and less time).
  *
  * Provenance
- *   skylight-sh 0.1.0, config preetham 50c449acd9f31f25, table 7-bands-1.5pct-packed
+ *   skylight-sh 0.1.0, config preetham 08540d17388f71b0, table 7-bands-1.5pct-packed
  */
 #ifdef __cplusplus
 #if __cplusplus < 201103L && !defined(_MSC_VER)
@@ -65,7 +65,7 @@ before."
 #endif
 
 #ifndef SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_H
-#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_H 0x6971708a
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_H 0x973af9f9
 
 #include <math.h>
 #include <stdint.h>
@@ -91,9 +91,9 @@ before."
 #define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CHANNELS 3
 #define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_AXES 2
 #define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_UNIT "cd/m2"
-#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_E_MEAN 1.426000e-02
-#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_E_MAX 6.417000e-02
-#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_UNPACKED 1376
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_E_MEAN 1.337000e-02
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_E_MAX 5.847000e-02
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_UNPACKED 1460
 #define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_SUN_ZENITH_MIN 0.0f
 #define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_SUN_ZENITH_MAX 1.57079637f
 #define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_TURBIDITY_MIN 2.5f
@@ -179,7 +179,7 @@ SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_API void skylight_sh_7_bands_1_5pct_packed_win
     float
     weights[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CHANNELS][SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WEIGHTS]);
 
-#elif SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_H != 0x6971708a
+#elif SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_H != 0x973af9f9
 #error "Another table has the prefix skylight_sh_7_bands_1_5pct_packed_7_bands_1_5pct_packed \
 already: export one of them under a prefix of its own."
 #endif /* SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_H */
@@ -227,15 +227,15 @@ static const skylight_sh_7_bands_1_5pct_packed_real
 #define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_ROOM 32
 /* All rows; of each class the first row, how many, and the place of its
    first product. */
-#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_TERMS 49
-#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_STARTS { 0, 24, 35 }
-#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_COUNTS { 24, 11, 14 }
-#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_PLACES { 0, 24, 36 }
-#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_PRODUCTS_ROOM 56
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_TERMS 52
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_STARTS { 0, 24, 37 }
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_COUNTS { 24, 13, 15 }
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_PLACES { 0, 24, 40 }
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_PRODUCTS_ROOM 60
 /* Of each class and product of the other axes' functions: how many
    functions of the first axis it has. */
-#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_LENGTHS { { 7, 7, 6, 3, 1 }, { 4, 4, 3, 0, 0 }, { 6, 5, \
-    2, 1, 0 } }
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_LENGTHS { { 7, 7, 6, 3, 1 }, { 4, 5, 4, 0, 0 }, { 6, 5, \
+    3, 1, 0 } }
 /* The same: of each that has any, class, place of the first product, how
    many, the other axes' product. */
 #define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_PRODUCTS(PRODUCT) \
@@ -245,12 +245,12 @@ static const skylight_sh_7_bands_1_5pct_packed_real
     PRODUCT(0, 20, 3, 3) \
     PRODUCT(0, 23, 1, 4) \
     PRODUCT(1, 24, 4, 0) \
-    PRODUCT(1, 28, 4, 1) \
-    PRODUCT(1, 32, 3, 2) \
-    PRODUCT(2, 36, 6, 0) \
-    PRODUCT(2, 42, 5, 1) \
-    PRODUCT(2, 47, 2, 2) \
-    PRODUCT(2, 49, 1, 3)
+    PRODUCT(1, 28, 5, 1) \
+    PRODUCT(1, 33, 4, 2) \
+    PRODUCT(2, 40, 6, 0) \
+    PRODUCT(2, 46, 5, 1) \
+    PRODUCT(2, 51, 3, 2) \
+    PRODUCT(2, 54, 1, 3)
 /* Where sums go: of each degree, the first column, or -1 where it carries
    nothing. */
 #define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_COLUMNS { 0, 1, 3, 6, 10, 15, 21 }
@@ -272,52 +272,54 @@ static const skylight_sh_7_bands_1_5pct_packed_real
 /* Runs of numbers, one a product of the other axes' functions, and their
    profiles; what one step is worth. */
 #define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_RUNS 5
-#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_RUN_PROFILE { 3, 1, -3, -9, -15 }
-#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASS_PROFILE { -2, -10, -7 }
-#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_STEP 0.000785827637f
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_RUN_PROFILE { 3, 2, -3, -9, -14 }
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASS_PROFILE { -2, -10, -8 }
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_STEP 0.000686645508f
 
 /* Whole numbers as Rice codes. */
-static const unsigned char skylight_sh_7_bands_1_5pct_packed_stream[833] = {
-    165, 66, 102, 198, 255, 14, 55, 59, 89, 230, 241, 47, 23, 47, 70, 142, 159, 76, 140, 31, 202,
-    241, 71, 97, 245, 243, 96, 159, 9, 255, 6, 188, 45, 126, 126, 208, 157, 248, 58, 56, 42, 52, 50,
-    52, 250, 72, 219, 63, 122, 208, 97, 220, 207, 196, 202, 48, 205, 65, 76, 88, 90, 169, 210, 76,
-    78, 7, 182, 113, 176, 136, 43, 131, 138, 148, 29, 0, 37, 90, 91, 196, 226, 213, 7, 27, 104, 226,
-    67, 81, 188, 10, 151, 165, 245, 46, 152, 193, 88, 49, 57, 98, 209, 18, 132, 40, 51, 54, 52, 56,
-    233, 182, 156, 27, 149, 156, 86, 60, 100, 207, 4, 222, 213, 144, 169, 22, 38, 165, 237, 185,
-    230, 225, 156, 61, 209, 181, 51, 55, 146, 58, 89, 153, 233, 87, 132, 46, 138, 226, 218, 125,
-    216, 180, 99, 141, 67, 44, 137, 77, 44, 187, 139, 155, 98, 52, 79, 96, 245, 40, 65, 41, 173, 69,
-    173, 80, 140, 51, 213, 36, 78, 150, 72, 14, 41, 197, 88, 152, 85, 129, 41, 234, 179, 35, 0, 134,
-    24, 97, 98, 108, 105, 128, 189, 124, 245, 254, 40, 55, 53, 69, 45, 204, 189, 58, 75, 226, 46,
-    198, 86, 242, 200, 202, 32, 179, 120, 188, 246, 152, 206, 77, 215, 60, 222, 98, 81, 118, 150,
-    202, 151, 226, 225, 168, 202, 36, 246, 51, 187, 182, 146, 216, 86, 97, 33, 237, 8, 223, 157,
-    208, 163, 179, 140, 248, 181, 116, 133, 205, 211, 121, 222, 19, 34, 50, 46, 190, 234, 66, 86,
-    28, 97, 52, 224, 18, 22, 169, 163, 162, 105, 50, 200, 66, 6, 194, 66, 26, 3, 189, 116, 205, 65,
-    244, 199, 97, 105, 97, 36, 20, 71, 47, 100, 85, 176, 38, 29, 62, 206, 2, 49, 6, 190, 182, 76,
-    120, 120, 49, 157, 231, 246, 167, 108, 141, 2, 179, 54, 158, 47, 79, 117, 177, 33, 245, 59, 160,
-    168, 61, 83, 86, 216, 69, 59, 152, 103, 152, 71, 71, 234, 235, 155, 254, 83, 172, 51, 145, 238,
-    125, 252, 214, 72, 155, 218, 167, 174, 84, 215, 133, 244, 250, 120, 118, 72, 21, 125, 153, 23,
-    237, 12, 99, 56, 148, 95, 227, 241, 80, 238, 56, 183, 155, 37, 171, 157, 241, 114, 149, 98, 42,
-    148, 222, 166, 217, 81, 90, 134, 244, 12, 34, 162, 120, 178, 55, 129, 130, 193, 162, 119, 167,
-    27, 219, 200, 10, 131, 144, 192, 80, 167, 214, 145, 220, 80, 148, 24, 16, 164, 249, 201, 147,
-    115, 33, 52, 197, 32, 249, 36, 57, 58, 186, 204, 85, 88, 135, 199, 98, 18, 135, 152, 247, 218,
-    74, 227, 253, 124, 162, 34, 188, 124, 126, 61, 21, 161, 156, 126, 126, 159, 169, 169, 88, 239,
-    73, 13, 242, 157, 34, 234, 65, 185, 17, 165, 189, 85, 193, 177, 17, 66, 193, 63, 201, 247, 7,
-    137, 109, 187, 179, 239, 229, 133, 5, 246, 179, 57, 37, 161, 34, 204, 190, 48, 86, 47, 235, 33,
-    150, 89, 77, 153, 128, 126, 219, 63, 219, 18, 165, 129, 174, 118, 226, 10, 205, 157, 190, 136,
-    117, 88, 227, 168, 182, 31, 236, 48, 16, 40, 75, 68, 81, 81, 52, 249, 111, 106, 108, 138, 113,
-    54, 30, 83, 64, 213, 231, 170, 57, 148, 50, 210, 158, 141, 68, 230, 65, 229, 35, 141, 29, 201,
-    118, 48, 32, 72, 65, 90, 113, 133, 245, 66, 192, 128, 10, 53, 54, 35, 181, 73, 62, 207, 73, 35,
-    139, 210, 141, 158, 194, 33, 40, 55, 6, 114, 42, 248, 25, 96, 99, 246, 241, 170, 26, 69, 158,
-    196, 200, 121, 175, 181, 84, 196, 72, 184, 243, 242, 126, 226, 53, 191, 16, 40, 32, 237, 232,
-    218, 191, 166, 131, 104, 111, 201, 82, 182, 232, 130, 99, 17, 42, 250, 183, 87, 76, 181, 55,
-    157, 129, 170, 147, 93, 242, 233, 26, 109, 153, 233, 229, 71, 43, 133, 170, 211, 245, 146, 90,
-    74, 237, 77, 204, 122, 195, 216, 94, 133, 101, 138, 54, 22, 42, 35, 239, 251, 250, 209, 183, 79,
-    97, 9, 54, 62, 187, 51, 100, 77, 92, 134, 206, 1, 133, 34, 149, 179, 208, 81, 71, 219, 36, 81,
-    0, 27, 70, 73, 127, 141, 159, 88, 222, 144, 252, 10, 199, 20, 208, 58, 195, 123, 202, 68, 34,
-    75, 182, 73, 7, 58, 93, 203, 200, 4, 229, 21, 217, 8, 95, 207, 48, 28, 128, 200, 88, 62, 81, 36,
-    42, 142, 20, 231, 148, 180, 103, 145, 156, 56, 210, 154, 72, 65, 52, 158, 98, 41, 16, 144, 144,
-    27, 48, 5, 233, 240, 47, 28, 51, 172, 168, 133, 186, 48, 85, 68, 18, 89, 16, 62, 172, 28, 20,
-    194, 162, 68, 64, 240, 184, 15, 129, 10, 177, 150, 1, 96, 142, 6
+static const unsigned char skylight_sh_7_bands_1_5pct_packed_stream[869] = {
+    165, 190, 117, 198, 255, 206, 173, 187, 219, 43, 227, 95, 18, 95, 156, 229, 127, 98, 185, 224,
+    99, 99, 252, 81, 88, 253, 68, 220, 39, 194, 191, 51, 249, 230, 195, 231, 7, 191, 63, 95, 43, 23,
+    74, 141, 45, 145, 206, 24, 203, 77, 72, 54, 16, 86, 153, 67, 44, 213, 104, 20, 42, 104, 20, 153,
+    181, 98, 142, 142, 123, 251, 108, 129, 215, 38, 117, 49, 139, 183, 165, 171, 168, 230, 120, 220,
+    16, 139, 114, 21, 65, 13, 67, 43, 133, 46, 162, 168, 65, 51, 28, 203, 134, 7, 26, 49, 59, 130,
+    165, 204, 216, 210, 224, 169, 75, 250, 108, 72, 9, 249, 6, 102, 149, 185, 36, 180, 85, 100, 178,
+    165, 81, 239, 230, 185, 234, 225, 65, 202, 178, 219, 67, 246, 114, 107, 101, 229, 168, 186, 148,
+    128, 48, 23, 246, 245, 68, 146, 78, 63, 221, 120, 40, 148, 224, 58, 151, 223, 23, 22, 5, 90, 49,
+    68, 46, 68, 47, 77, 13, 129, 187, 152, 97, 103, 30, 6, 83, 70, 34, 136, 84, 148, 178, 1, 212,
+    37, 166, 217, 18, 31, 1, 48, 252, 49, 22, 19, 99, 75, 4, 236, 27, 178, 36, 159, 253, 21, 205,
+    83, 51, 135, 92, 143, 229, 145, 87, 163, 11, 122, 104, 105, 146, 89, 61, 95, 123, 204, 168, 167,
+    107, 62, 89, 228, 178, 236, 44, 208, 111, 235, 199, 160, 170, 6, 182, 203, 163, 86, 53, 165,
+    215, 107, 65, 33, 11, 25, 191, 126, 132, 166, 163, 149, 248, 189, 137, 14, 155, 167, 135, 107,
+    237, 152, 200, 144, 108, 167, 73, 102, 11, 130, 140, 1, 151, 1, 21, 59, 174, 28, 69, 6, 95, 206,
+    64, 130, 144, 38, 202, 54, 105, 23, 77, 147, 36, 150, 154, 71, 14, 29, 191, 24, 118, 193, 250,
+    132, 252, 204, 2, 9, 99, 34, 108, 235, 136, 7, 27, 171, 195, 190, 110, 152, 53, 163, 114, 234,
+    214, 252, 50, 176, 54, 251, 32, 92, 191, 44, 70, 111, 74, 198, 190, 112, 236, 222, 69, 206, 131,
+    19, 217, 3, 153, 252, 43, 253, 167, 88, 173, 240, 93, 205, 3, 119, 83, 158, 217, 187, 88, 207,
+    146, 251, 152, 219, 60, 179, 72, 119, 125, 59, 47, 109, 27, 198, 88, 162, 255, 18, 159, 129, 35,
+    90, 216, 229, 79, 213, 235, 57, 84, 211, 192, 40, 17, 221, 205, 113, 71, 161, 41, 178, 100, 0,
+    34, 78, 227, 122, 127, 44, 28, 36, 139, 46, 2, 132, 181, 196, 133, 13, 66, 80, 71, 229, 190,
+    148, 244, 76, 198, 4, 81, 16, 121, 19, 41, 104, 35, 56, 9, 131, 64, 103, 100, 143, 4, 177, 113,
+    90, 145, 53, 121, 48, 158, 134, 66, 204, 123, 109, 33, 178, 63, 148, 8, 49, 95, 247, 227, 253,
+    92, 148, 194, 150, 38, 253, 147, 53, 151, 247, 61, 163, 192, 96, 231, 140, 250, 96, 163, 147,
+    197, 125, 231, 146, 115, 143, 96, 86, 240, 103, 248, 221, 135, 132, 183, 242, 195, 110, 79, 140,
+    11, 221, 157, 202, 41, 17, 150, 229, 216, 23, 199, 118, 250, 197, 52, 75, 181, 134, 76, 112,
+    127, 183, 127, 178, 133, 170, 41, 175, 254, 132, 69, 154, 124, 230, 50, 215, 97, 149, 164, 218,
+    245, 193, 29, 134, 82, 27, 159, 81, 88, 25, 205, 78, 235, 247, 112, 28, 14, 176, 233, 214, 159,
+    35, 139, 54, 198, 59, 162, 148, 18, 239, 163, 89, 66, 135, 68, 191, 38, 243, 73, 116, 152, 91,
+    228, 160, 160, 34, 21, 100, 27, 235, 230, 132, 13, 84, 168, 185, 54, 180, 65, 6, 21, 65, 193,
+    114, 246, 99, 232, 112, 132, 37, 200, 96, 78, 6, 163, 12, 176, 133, 96, 225, 213, 61, 202, 33,
+    185, 224, 188, 215, 86, 50, 98, 40, 36, 186, 213, 63, 249, 37, 191, 52, 44, 168, 226, 168, 231,
+    95, 91, 98, 161, 215, 96, 47, 223, 102, 114, 6, 199, 83, 88, 250, 119, 229, 2, 116, 109, 58, 59,
+    99, 39, 255, 247, 124, 114, 9, 186, 216, 89, 47, 158, 215, 20, 170, 63, 174, 151, 89, 47, 199,
+    198, 198, 192, 110, 194, 182, 75, 236, 232, 120, 99, 199, 26, 49, 147, 27, 255, 211, 255, 234,
+    40, 138, 115, 165, 167, 190, 48, 50, 218, 220, 155, 115, 229, 16, 134, 34, 214, 199, 125, 236,
+    139, 106, 222, 114, 140, 18, 216, 51, 26, 198, 239, 235, 231, 92, 226, 52, 205, 29, 207, 221,
+    162, 213, 206, 92, 69, 21, 88, 100, 201, 58, 79, 65, 15, 173, 90, 206, 14, 54, 230, 21, 217,
+    208, 95, 250, 144, 24, 196, 68, 94, 40, 215, 20, 117, 231, 170, 147, 67, 226, 109, 74, 225, 77,
+    154, 166, 170, 204, 4, 162, 57, 246, 142, 129, 96, 34, 175, 194, 53, 214, 137, 8, 249, 129, 98,
+    88, 217, 11, 87, 135, 113, 69, 34, 145, 101, 35, 196, 204, 225, 16, 28, 47, 6, 146, 8, 138, 35,
+    2, 13, 67, 197, 171, 89, 140, 153, 163, 1
 };
 
 /* What all weights share: the closed form preetham_classes. */
@@ -859,11 +861,12 @@ typedef float skylight_sh_7_bands_1_5pct_packed_lanes __attribute__((vector_size
 typedef float skylight_sh_7_bands_1_5pct_packed_four __attribute__((vector_size(16)));
 typedef int skylight_sh_7_bands_1_5pct_packed_order __attribute__((vector_size(16)));
 
+/* The same number in all places: v - 0 is v, which 0 + v need not be. */
 static inline skylight_sh_7_bands_1_5pct_packed_lanes skylight_sh_7_bands_1_5pct_packed_spread(float
     v)
 {
     const skylight_sh_7_bands_1_5pct_packed_lanes zeros = {0};
-    return zeros + v;
+    return v - zeros;
 }
 
 static inline skylight_sh_7_bands_1_5pct_packed_lanes skylight_sh_7_bands_1_5pct_packed_load(const
@@ -893,7 +896,7 @@ static inline skylight_sh_7_bands_1_5pct_packed_four
     skylight_sh_7_bands_1_5pct_packed_spread_four(float v)
 {
     const skylight_sh_7_bands_1_5pct_packed_four zeros = {0};
-    return zeros + v;
+    return v - zeros;
 }
 
 static inline skylight_sh_7_bands_1_5pct_packed_four
@@ -1275,7 +1278,8 @@ static inline void skylight_sh_7_bands_1_5pct_packed_fill(skylight_sh_7_bands_1_
 {
     const unsigned char *const end = skylight_sh_7_bands_1_5pct_packed_stream + sizeof
         skylight_sh_7_bands_1_5pct_packed_stream;
-    while (b->count <= 56 && b->next < end) {
+    /* At most 63 bits, so that there is a zero above them. */
+    while (b->count < 56 && b->next < end) {
         b->held |= (uint64_t)*b->next++ << b->count;
         b->count += 8;
     }
@@ -1293,20 +1297,35 @@ static inline unsigned
     return value;
 }
 
+/* How many ones stand before the first zero, from the low end; what is held has a zero. */
+static inline int skylight_sh_7_bands_1_5pct_packed_ones(uint64_t held)
+{
+#ifdef __GNUC__
+    return __builtin_ctzll(~(unsigned long long)held);
+#else
+    int ones = 0;
+    for (; held & 1; held >>= 1) ++ones;
+    return ones;
+#endif
+}
+
 /* A Rice code of `low` low bits: ones, a zero, the low bits; then folded back: 0, 1, 2, 3 -> 0, -1,
    1, -2. */
 static inline int skylight_sh_7_bands_1_5pct_packed_rice(skylight_sh_7_bands_1_5pct_packed_bits *b,
     int low)
 {
     unsigned high = 0, folded;
+    int ones;
     if (b->count < 32) skylight_sh_7_bands_1_5pct_packed_fill(b);
-    while (b->held & 1) {
-        ++high;
-        b->held >>= 1;
-        if (--b->count < 1) skylight_sh_7_bands_1_5pct_packed_fill(b);
+    while ((ones = skylight_sh_7_bands_1_5pct_packed_ones(b->held)) >= b->count) {
+        high += (unsigned)b->count;
+        b->held = 0;
+        b->count = 0;
+        skylight_sh_7_bands_1_5pct_packed_fill(b);
     }
-    b->held >>= 1;
-    --b->count;
+    high += (unsigned)ones;
+    b->held = b->held >> ones >> 1;
+    b->count -= ones + 1;
     folded = (high << low) | skylight_sh_7_bands_1_5pct_packed_fixed(b, low);
     return folded & 1 ? -(int)(folded >> 1) - 1 : (int)(folded >> 1);
 }
@@ -1582,8 +1601,8 @@ static inline int skylight_sh_7_bands_1_5pct_packed_evaluate_batch(
         (*weights)[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CHANNELS]
         [SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WEIGHTS])
 {
-    int s = 0, status, worst = 0;
-    for (; s < count; ++s) {
+    int s, status, worst = 0;
+    for (s = 0; s < count; ++s) {
         status = skylight_sh_7_bands_1_5pct_packed_evaluate_one(rows, inputs, azimuths, s,
             weights[s]);
         worst = status > worst ? status : worst;
@@ -1600,17 +1619,25 @@ static inline int skylight_sh_7_bands_1_5pct_packed_evaluate_columns(const
 {
     const size_t step = count > 0 ? (size_t)count : 0;
     int s = 0, i, status, worst = 0;
-    for (; s < count; ++s) {
+    while (s < count) {
+        /* Some at once, so that what is written lies together. */
         float
-            one[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CHANNELS]
+            some[16][SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CHANNELS]
             [SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WEIGHTS];
-        status = skylight_sh_7_bands_1_5pct_packed_evaluate_one(rows, inputs, azimuths, s, one);
-        worst = status > worst ? status : worst;
+        const int now = count - s < 16 ? count - s : 16;
+        int k;
+        for (k = 0; k < now; ++k) {
+            status = skylight_sh_7_bands_1_5pct_packed_evaluate_one(rows, inputs, azimuths, s + k,
+                some[k]);
+            worst = status > worst ? status : worst;
+        }
         for (i = 0; i < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CHANNELS *
             SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WEIGHTS; ++i)
-            weights[(size_t)i * step + (size_t)s] = one[i /
-                SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WEIGHTS][i %
-                SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WEIGHTS];
+            for (k = 0; k < now; ++k)
+                weights[(size_t)i * step + (size_t)(s + k)] =
+                    some[k][i / SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WEIGHTS][i %
+                        SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WEIGHTS];
+        s += now;
     }
     return worst;
 }
