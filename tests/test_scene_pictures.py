@@ -44,8 +44,8 @@ def tiny(**scenes: int) -> Config:
     """The shipped config over tests/small.toml's few samples, with pictures of few pixels and rays."""
     raw = read(ROOT / "tests" / "small.toml")
     raw["name"], raw["truth"]["bands"] = "tiny", 7
-    raw["winners"] = [{"bands": 7, "budgets": [0.1]}, {"bands": 3, "budgets": [0.1], "layouts": ["packed"]}]
-    raw["export"] = {"recommended": "7-bands-10pct"}
+    raw["winners"] = [{"bands": 7, "budgets": [0.02]}, {"bands": 3, "budgets": [0.1], "layouts": ["packed"]}]
+    raw["export"] = {"recommended": "7-bands-2pct"}
     raw["fit"] = {}
     raw["report"] = {"figures": FIGURES, "scenes": {"width": 16, "paths": 512, "rays": 128, "bounces": 2, **scenes}}
     return parse(raw, "a config", ROOT)
