@@ -30,10 +30,10 @@ from skylight_sh.studies.speed import (
     brute_force,
     contest,
     direct,
-    engines,
     entropy,
     evaluation,
     lookup,
+    quoted,
     race,
     speed,
     unpacked,
@@ -254,8 +254,8 @@ def test_a_contest_of_a_small_run(
     assert "were disturbed by other work" in told_of.text
     assert told_of.draw
     assert len(told_of.draw(told_of.rows).axes) == 2
-    quoted = engines.section(found, name).rows
-    assert quoted[0]["frames late"] == 0
+    engines = quoted.section(found, name).rows
+    assert engines[0]["frames late"] == 0
     speed.save(tmp_path, found)
     told = json.loads((tmp_path / speed.FILE).read_text(encoding="utf-8"))
     summary = {"tables": [{"name": name, "bands": 4}], "recommended": name}
@@ -350,8 +350,8 @@ def test_the_readme_says_where_a_rival_wins_and_what_is_noisy() -> None:
 
 def test_sources_of_quoted_costs_are_listed() -> None:
     listed = (ROOT / "docs" / "references.md").read_text(encoding="utf-8")
-    for quoted in engines.QUOTED:
-        assert quoted.source in listed
+    for told in quoted.QUOTED:
+        assert told.source in listed
 
 
 def test_a_variable_that_is_even_is_not_a_lookup_table_s(samples: Samples) -> None:

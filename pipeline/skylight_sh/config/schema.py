@@ -45,7 +45,9 @@ class AxisSection(Section):
     range: tuple[float, float] = Field(description="[low, high] with low < high, inside the light's domain")
     map: Annotated[str, OneOf(VARIABLES, "change of variable about `point`", (("auto", "found in samples"),))] = "identity"
     point: float = Field(
-        0.0, description="singular point of map = log (below the range), reciprocal (outside) or cbrt (not below)"
+        0.0,
+        description="singular point of map = log (below the range), reciprocal (outside), cbrt (not below) or even (of the "
+        "square, outside the squares)",
     )
     nodes: int = Field(ge=1, le=1000, description="fit nodes, more than the largest degree")
     spacing: Literal["chebyshev", "uniform"] = Field("chebyshev", description="spacing of the fit nodes")

@@ -97,9 +97,9 @@ def _with_shorts(language: Language, shorts: list[int]) -> Language:
         whole, power = abs(found[0]), found[1]
         if whole not in shorts:
             shorts.append(whole)
-        # The scale has the sign.
-        sign = -1.0 if found[0] < 0 else 1.0
-        return f"({language.number(sign * 10.0**-power)} * {_p}_short[{shorts.index(whole)}])"
+        text = f"{_p}_short[{shorts.index(whole)}]"
+        text = f"{language.number(10.0**-power)} * {text}" if power else f"({_p}_real){text}"
+        return f"({'-' if found[0] < 0 else ''}{text})"
 
     return replace(language, number=number)
 

@@ -46,7 +46,7 @@ def smallest(
     budget: float,
     cost: Callable[[Index], int],
 ) -> tuple[Rounded | None, list[Rounded]]:
-    """Return the cheapest numbers found whose largest error over ``checked`` stays within ``budget``, and all tried.
+    """Return the cheapest numbers found whose largest error over ``checked`` stays within ``budget``, and all tried there.
 
     ``grid``, of ``shape``, is what is fitted; ``first`` is the size of the first axis' basis; ``cost`` gives bytes.
     The error grows about linearly with the step, so a few aimed steps reach the budget; importance then moves to the
@@ -69,10 +69,11 @@ def smallest(
         values = _values(numbers, step)
         # All sets are asked where the fit's own grid does not say no.
         error = grid.largest(values)
-        error = max(error, checked.largest(values)) if error <= budget else error
-        made = Rounded(numbers, step, error, cost(numbers) if error <= 1.5 * budget else 0)
-        if made.cost:
-            tried.append(replace(made, numbers=numbers[:0]))
+        if error > budget:
+            return Rounded(numbers, step, error, 0)
+        error = max(error, checked.largest(values))
+        made = Rounded(numbers, step, error, cost(numbers))
+        tried.append(replace(made, numbers=numbers[:0]))
         if error <= budget and (best is None or made.cost < best.cost):
             best = made
         return made

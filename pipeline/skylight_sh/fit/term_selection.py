@@ -51,13 +51,14 @@ class _Search:
     def fit(self, lengths: Index, budget: float) -> Kept:
         """Fit the terms of ``lengths`` with the importance as it stands.
 
-        Where the fit's own grid, which is quickly asked, exceeds the budget already, its error is told.
+        Where the fit's own grid, which is quickly asked, exceeds the budget already, its error is told, and the fit is none
+        of those ``tried``.
         """
         found = self.normal.best_of(_kept(lengths, self.first))
-        error = self.grid.largest(found)
-        if error <= budget:
-            error = max(error, self.checked.largest(found))
-        made = Kept(lengths, found.reshape(*found.shape[:2], self.first, -1), error)
+        dense, error = found.reshape(*found.shape[:2], self.first, -1), self.grid.largest(found)
+        if error > budget:
+            return Kept(lengths, dense, error)
+        made = Kept(lengths, dense, max(error, self.checked.largest(found)))
         self.tried.append(made)
         return made
 
@@ -92,7 +93,7 @@ def _kept(lengths: Index, first: int) -> NDArray[np.bool_]:
 def fewest(
     grid: Sampled, checked: Sampled, shape: Sequence[int], first: int, budget: float, known: Index | None = None
 ) -> tuple[Kept | None, list[Kept]]:
-    """Return the fewest terms found whose largest error over ``checked`` stays within ``budget``, and all tried.
+    """Return the fewest terms found whose largest error over ``checked`` stays within ``budget``, and all tried there.
 
     ``grid``, of ``shape``, is what is fitted; ``first`` is the size of the first axis' basis. Terms are ranked by the
     coefficients that drop with them; a bisection finds how many are needed, corners that the budget does not need are then
@@ -172,9 +173,9 @@ def _without_a_corner(search: _Search, kept: Kept) -> Iterator[Index]:
 
 
 def _with_a_corner(lengths: Index, first: int) -> Iterator[Index]:
-    """Yield the lengths with one more term, where the run before it is as long: staircases stay staircases."""
+    """Yield the lengths with one more term, of runs that are shorter than the one before them."""
     for k, r in zip(*np.nonzero(lengths < first), strict=True):
-        if r == 0 or lengths[k, r] < lengths[k, r - 1] or lengths.shape[1] == 1:
+        if r == 0 or lengths[k, r] < lengths[k, r - 1]:
             out = lengths.copy()
             out[k, r] += 1
             yield out

@@ -247,15 +247,14 @@ def class_factors(theta: Any, tau: Any, k: Sequence[Any]) -> list[Any]:
     ``Preetham``'s numbers. Exponentials and tangent are polynomials exact to 1e-6 where they are not even in theta; what
     hangs on turbidity alone may be coarser, since the fit divides by what a table multiplies by.
     """
-    shape_y, zenith, below = _luminance_shape(theta, tau, k)
-    cosine = _cosine(theta)
-    cosine2 = label(cosine * cosine, "cosine2")
-    shape_x, shape_z = (
-        label(
-            (k[i] * tau + k[i + 1]) * _indicatrix(theta, cosine2, [k[j] * tau + k[j + 1] for j in (i + 2, i + 4, i + 6)]), n
-        )
-        for i, n in ((10, "shape_x"), (18, "shape_z"))
-    )
+    cosine2 = _squared_cosine(theta)
+    shape_y, zenith, below = _luminance_shape(theta, tau, k, cosine2)
+    # F_x and F_y, each gradation, c, d and e.
+    shapes = []
+    for name, start in (("shape_x", 10), ("shape_z", 18)):
+        gradation, *others = (k[i] * tau + k[i + 1] for i in range(start, start + 8, 2))
+        shapes.append(label(gradation * _indicatrix(theta, cosine2, others), name))
+    shape_x, shape_z = shapes
     x, y = (label(_chromaticity(theta, tau, k[i : i + 11]), name) for i, name in ((26, "x_zenith"), (37, "y_zenith")))
     # X : Y : S are x F_y F_Y .. over one denominator.
     one = label(zenith / (below * shape_y * y * shape_x), "one")
@@ -279,17 +278,15 @@ _OF_LUMINANCE = 10
 
 def luminance_factor(theta: Any, tau: Any, k: Sequence[Any]) -> Any:
     """Return ``Y_z / F_Y(0, theta)`` as ``class_factors`` has it, in cd/m2: exact enough for parity."""
-    shape, zenith, below = _luminance_shape(theta, tau, k)
+    shape, zenith, below = _luminance_shape(theta, tau, k, _squared_cosine(theta))
     return zenith / (below * shape)
 
 
-def _luminance_shape(theta: Any, tau: Any, k: Sequence[Any]) -> tuple[Any, Any, Any]:
+def _luminance_shape(theta: Any, tau: Any, k: Sequence[Any], cosine2: Any) -> tuple[Any, Any, Any]:
     """Return F_Y(0, theta), and numerator and denominator of the zenith's luminance in cd/m2."""
     a, b, *others = (k[2 * i] * tau + k[2 * i + 1] for i in range(5))
     up = label(1 + b * (0.25 + b * (1 / 32)), "up")
     up = label(up * up, "up2")
-    cosine = _cosine(theta)
-    cosine2 = label(cosine * cosine, "cosine2")
     shape = label((1 + a * (up * up)) * _indicatrix(theta, cosine2, others), "shape_y")
     chi = label((8 / 9 - tau * (1 / 60)) * (np.pi / 2 - theta), "chi")
     square = label(chi * chi, "square")
@@ -299,10 +296,11 @@ def _luminance_shape(theta: Any, tau: Any, k: Sequence[Any]) -> tuple[Any, Any, 
     return shape, label(zenith, "zenith"), below
 
 
-def _cosine(theta: Any) -> Any:
-    """Return cos theta but for 0.05, even in theta."""
+def _squared_cosine(theta: Any) -> Any:
+    """Return the square of cos theta but for 0.05, even in theta."""
     z = label(theta * theta, "z")
-    return label(1 - z * (0.5 - z * (1 / 32)), "cosine")
+    cosine = label(1 - z * (0.5 - z * (1 / 32)), "cosine")
+    return label(cosine * cosine, "cosine2")
 
 
 def _indicatrix(theta: Any, cosine2: Any, k: Sequence[Any]) -> Any:

@@ -13,7 +13,7 @@ from skylight_sh.config.schema import Config
 from skylight_sh.fit.errors import Reference, mean_luminance, published
 from skylight_sh.light.preetham import Preetham
 from skylight_sh.quadrature import parameter_points
-from skylight_sh.run.config_axes import axes_of
+from skylight_sh.run.config_axes import axes_of, harmonics_of
 from skylight_sh.run.plan import Inputs
 from skylight_sh.run.steps import SURROUNDINGS, VARIABLES
 from skylight_sh.runtime import Scale, Specification, Surroundings, Table
@@ -116,7 +116,8 @@ def fit_of(config: Config, inputs: Inputs) -> GridFit:
     """Return what the step ``fit`` has fitted."""
     made = inputs["fit"]
     axes, scale = axes_of(config, inputs), scale_of(config, inputs)
-    return GridFit(made["coefficients"], axes, config.fit.basis, scale, float(made["condition"]), parity_of(config))
+    orders = harmonics_of(config, made).orders
+    return GridFit(made["coefficients"], axes, config.fit.basis, scale, float(made["condition"]), orders, parity_of(config))
 
 
 def reference_of(config: Config, inputs: Inputs, truths: Sequence[str]) -> Reference:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -16,7 +15,6 @@ from skylight_sh.fit.sweep import Worst, sweep
 from skylight_sh.formula.bases import BASES
 from skylight_sh.quadrature import parameter_points
 from skylight_sh.runtime import Scale
-from skylight_sh.sphere import Harmonics
 from skylight_sh.table import prefactor
 from skylight_sh.table import table as tables
 
@@ -31,8 +29,8 @@ TENSOR = "tensor"
 class GridFit:
     """Coefficients ``dense`` ``(classes, count, d_1+1, .., d_D+1)`` of products of a ``basis`` over ``axes``.
 
-    ``scale`` turns the polynomials into weights, with ``parity`` about the axis of that name their orders' powers of its
-    sine; ``condition`` is the condition number of the whole system of equations.
+    ``scale`` turns the polynomials into weights; with ``parity`` about the axis of that name, the powers ``orders``
+    ``(count,)`` of its sine too. ``condition`` is the condition number of the whole system of equations.
     """
 
     dense: Array
@@ -40,6 +38,7 @@ class GridFit:
     basis: str
     scale: Scale | None
     condition: float
+    orders: Index
     parity: str = ""
 
     def products(self, sets: Array) -> Array:
@@ -49,14 +48,12 @@ class GridFit:
 
     def weights(self, sets: Array, sums: Array, channels: int) -> Array:
         """Return the weights ``(n, channels, count)`` that ``sums`` ``(n, classes, count)`` make at ``sets``."""
-        orders = Harmonics.even(_bands_of(sums.shape[2])).orders * bool(self.parity)
-        waves = sines_at(self.axes, self.parity, sets)[:, np.newaxis] ** orders
+        waves = self.waves(sets)[:, : sums.shape[2]]
         return np.asarray(factor_at(self.scale, sets, channels) @ sums * waves[:, np.newaxis])
 
-
-def _bands_of(count: int) -> int:
-    """Return how many bands have ``count`` weights of orders m >= 0."""
-    return (math.isqrt(8 * count + 1) - 1) // 2
+    def waves(self, sets: Array) -> Array:
+        """Return what each weight's polynomial is multiplied with beside the scale, ``(n, count)``: ones without parity."""
+        return np.asarray(sines_at(self.axes, self.parity, sets)[:, np.newaxis] ** np.abs(self.orders))
 
 
 def factor_at(scale: Scale | None, sets: Array, channels: int) -> Array:
@@ -133,7 +130,7 @@ def fit(
         else:
             found = least_squares.fit_full(part, weighed, solver)
         dense[:, use] = found.reshape(split.shape[-2], use.size, *found.shape[1:])
-    return GridFit(dense, axes, basis, scale, least_squares.condition(matrices), parity)
+    return GridFit(dense, axes, basis, scale, least_squares.condition(matrices), powers, parity)
 
 
 def swept(made: GridFit, reference: Reference, degrees: Sequence[Sequence[int]], bands: int) -> Worst:
@@ -144,7 +141,4 @@ def swept(made: GridFit, reference: Reference, degrees: Sequence[Sequence[int]],
         for i, (axis, size) in enumerate(zip(made.axes, made.dense.shape[2:], strict=True))
     ]
     factor = factor_at(made.scale, reference.parameters, reference.weights.shape[1])
-    sines = sines_at(made.axes, made.parity, reference.parameters)
-    powers = np.abs(Harmonics.of_degrees(reference.degrees).orders) * bool(made.parity)
-    waves = sines[:, np.newaxis] ** powers
-    return sweep(made.dense, vanders, factor, waves, reference, degrees, bands)
+    return sweep(made.dense, vanders, factor, made.waves(reference.parameters), reference, degrees, bands)

@@ -21,11 +21,11 @@ def short(value: float) -> tuple[int, int] | None:
 
 
 def bytes_of_numbers(values: Sequence[float], itemsize: int = 4) -> int:
-    """Return how many bytes numbers take, short ones two each and one number a power of ten among them, 1 left out.
+    """Return how many bytes numbers take: two for each other n, and a number for each power of ten but 1 and for the rest.
 
-    >>> bytes_of_numbers([0.1, 0.2, 3.7389856])
+    >>> bytes_of_numbers([0.1, 0.2, -0.1, 3.7389856])
     12
     """
     found = [short(value) for value in values]
-    powers = {one[1] for one in found if one and one[1]}
-    return sum(2 if one else itemsize for one in found) + itemsize * len(powers)
+    whole, powers = {abs(one[0]) for one in found if one}, {one[1] for one in found if one and one[1]}
+    return 2 * len(whole) + itemsize * (len(powers) + found.count(None))

@@ -33,9 +33,7 @@ def make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
     if peak:
         middle = [0.5 * (axis.low + axis.high) for axis in axes]
         parity.check(config.source, [axis.name for axis in axes], middle, peak, scale)
-    made = grid_fit.fit(
-        *(samples, axes, nodes, degrees, config.fit.basis, solver, scale, peak, harmonics.orders),
-    )
+    made = grid_fit.fit(samples, axes, nodes, degrees, config.fit.basis, solver, scale, peak, harmonics.orders)
     powers = tuple(f"power_{axis.name}" for axis in axes)
     found = {
         "coefficients": Variable(("class", "weight", *powers), made.dense),

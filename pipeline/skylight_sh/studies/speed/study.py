@@ -11,12 +11,12 @@ from skylight_sh.studies.speed import (
     batch,
     contest,
     discs,
-    engines,
     entropy,
     evaluation,
     fits,
     growth,
     profiles,
+    quoted,
     rules,
     speed,
 )
@@ -26,7 +26,7 @@ def _contest(on: Subject) -> Sequence[Section]:
     """Let tables and rivals race, and leave the figures in ``speed.json`` too."""
     found = contest.hold(on.samples, on.tables, on.repeats)
     speed.save(on.folder, found)
-    return [evaluation.calls(found), evaluation.rivals(found), engines.section(found, on.config.export.recommended)]
+    return [evaluation.calls(found), evaluation.rivals(found), quoted.section(found, on.config.export.recommended)]
 
 
 SPEED = Study(
