@@ -35,7 +35,7 @@
  * azimuth 0.
  * The expansion rings: the least value it takes, over all directions and measured sets, is -12.7 %
  * of its largest in the same set; the window below tames it.
- * Memory: 2305 bytes of constants, packed into few bytes (a fast table takes more and less time).
+ * Memory: 2303 bytes of constants, packed into few bytes (a fast table takes more and less time).
  *
  * Provenance
  *   skylight-sh 0.1.0, config preetham 08540d17388f71b0, table 7-bands-0.1pct-packed
@@ -65,7 +65,7 @@ before."
 #endif
 
 #ifndef SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_H
-#define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_H 0x8ecb081d
+#define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_H 0xcae3049f
 
 #include <math.h>
 #include <stdint.h>
@@ -179,7 +179,7 @@ SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_API void skylight_sh_7_bands_0_1pct_packed_win
     float
     weights[SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_CHANNELS][SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_WEIGHTS]);
 
-#elif SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_H != 0x8ecb081d
+#elif SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_H != 0xcae3049f
 #error "Another table has the prefix skylight_sh_7_bands_0_1pct_packed_7_bands_0_1pct_packed \
 already: export one of them under a prefix of its own."
 #endif /* SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_H */
@@ -397,24 +397,28 @@ static inline void skylight_sh_7_bands_0_1pct_packed_begin_factors(const
 {
     const float chi = (0.888888896f - x[1] * 0.0166666675f) * (1.57079637f - x[0]);
     const float square = chi * chi;
-    early[0] = (1.0f * skylight_sh_7_bands_0_1pct_packed_short[2]) - square * ((1.0f *
-        skylight_sh_7_bands_0_1pct_packed_short[6]) - (1.0f *
-        skylight_sh_7_bands_0_1pct_packed_short[7]) * square);
-    early[1] = ((0.100000001f * skylight_sh_7_bands_0_1pct_packed_short[0]) * x[1] - (1.0f *
-        skylight_sh_7_bands_0_1pct_packed_short[1])) * (chi * ((1.0f *
-        skylight_sh_7_bands_0_1pct_packed_short[2]) - square * ((1.0f *
-        skylight_sh_7_bands_0_1pct_packed_short[3]) - square))) + ((0.100000001f *
-        skylight_sh_7_bands_0_1pct_packed_short[4]) - (0.100000001f *
+    early[0] = ((skylight_sh_7_bands_0_1pct_packed_real)skylight_sh_7_bands_0_1pct_packed_short[2])
+        - square *
+        (((skylight_sh_7_bands_0_1pct_packed_real)skylight_sh_7_bands_0_1pct_packed_short[6]) -
+        ((skylight_sh_7_bands_0_1pct_packed_real)skylight_sh_7_bands_0_1pct_packed_short[7]) *
+        square);
+    early[1] = ((0.100000001f * skylight_sh_7_bands_0_1pct_packed_short[0]) * x[1] -
+        ((skylight_sh_7_bands_0_1pct_packed_real)skylight_sh_7_bands_0_1pct_packed_short[1])) * (chi
+        * (((skylight_sh_7_bands_0_1pct_packed_real)skylight_sh_7_bands_0_1pct_packed_short[2]) -
+        square *
+        (((skylight_sh_7_bands_0_1pct_packed_real)skylight_sh_7_bands_0_1pct_packed_short[3]) -
+        square))) + ((0.100000001f * skylight_sh_7_bands_0_1pct_packed_short[4]) - (0.100000001f *
         skylight_sh_7_bands_0_1pct_packed_short[5]) * x[1]) * early[0];
     const float part_1 = (-9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[11]) * x[1] +
         (9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[12]);
-    const float up = (1.0f * skylight_sh_7_bands_0_1pct_packed_short[8]) + part_1 * ((0.00999999978f
-        * skylight_sh_7_bands_0_1pct_packed_short[13]) + part_1 * (9.99999975e-06f *
-        skylight_sh_7_bands_0_1pct_packed_short[14]));
+    const float up =
+        ((skylight_sh_7_bands_0_1pct_packed_real)skylight_sh_7_bands_0_1pct_packed_short[8]) +
+        part_1 * ((0.00999999978f * skylight_sh_7_bands_0_1pct_packed_short[13]) + part_1 *
+        (9.99999975e-06f * skylight_sh_7_bands_0_1pct_packed_short[14]));
     const float up2 = up * up;
-    early[2] = (1.0f * skylight_sh_7_bands_0_1pct_packed_short[8]) + ((9.99999975e-05f *
-        skylight_sh_7_bands_0_1pct_packed_short[9]) * x[1] + (-0.00100000005f *
-        skylight_sh_7_bands_0_1pct_packed_short[10])) * (up2 * up2);
+    early[2] = ((skylight_sh_7_bands_0_1pct_packed_real)skylight_sh_7_bands_0_1pct_packed_short[8])
+        + ((9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[9]) * x[1] + (-0.00100000005f
+        * skylight_sh_7_bands_0_1pct_packed_short[10])) * (up2 * up2);
     early[3] = (-9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[15]) * x[1] +
         (9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[16]);
     const float y = ((9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[17]) * x[1] +
@@ -424,8 +428,9 @@ static inline void skylight_sh_7_bands_0_1pct_packed_begin_factors(const
         (0.0412233174f + y * (0.00765432511f + y * 0.000849007862f)))));
     early[4] = halo * halo;
     const float z = x[0] * x[0];
-    const float cosine = (1.0f * skylight_sh_7_bands_0_1pct_packed_short[8]) - z * ((0.100000001f *
-        skylight_sh_7_bands_0_1pct_packed_short[21]) - z * (9.99999975e-06f *
+    const float cosine =
+        ((skylight_sh_7_bands_0_1pct_packed_real)skylight_sh_7_bands_0_1pct_packed_short[8]) - z *
+        ((0.100000001f * skylight_sh_7_bands_0_1pct_packed_short[21]) - z * (9.99999975e-06f *
         skylight_sh_7_bands_0_1pct_packed_short[14]));
     const float cosine2 = cosine * cosine;
     early[5] = ((-0.00100000005f * skylight_sh_7_bands_0_1pct_packed_short[19]) * x[1] +
@@ -451,13 +456,8 @@ static inline void skylight_sh_7_bands_0_1pct_packed_begin_factors(const
     const float halo_2 = 1.0f + y_2 * (0.99999845f + y_2 * (0.499975085f + y_2 * (0.166515172f + y_2
         * (0.0412233174f + y_2 * (0.00765432511f + y_2 * 0.000849007862f)))));
     early[9] = halo_2 * halo_2;
-    const float z_2 = x[0] * x[0];
-    const float cosine_2 = (1.0f * skylight_sh_7_bands_0_1pct_packed_short[8]) - z_2 *
-        ((0.100000001f * skylight_sh_7_bands_0_1pct_packed_short[21]) - z_2 * (9.99999975e-06f *
-        skylight_sh_7_bands_0_1pct_packed_short[14]));
-    const float cosine2_2 = cosine_2 * cosine_2;
     early[10] = ((-9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[38]) * x[1] +
-        (9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[39])) * cosine2_2;
+        (9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[39])) * cosine2;
     early[11] = (((((9.99999975e-06f * skylight_sh_7_bands_0_1pct_packed_short[40]) * x[1] +
         (-9.99999975e-06f * skylight_sh_7_bands_0_1pct_packed_short[41])) * x[1] + (9.99999975e-06f
         * skylight_sh_7_bands_0_1pct_packed_short[42])) * x[0] + (((-9.99999975e-06f *
@@ -480,7 +480,7 @@ static inline void skylight_sh_7_bands_0_1pct_packed_begin_factors(const
         * (0.0412233174f + y_3 * (0.00765432511f + y_3 * 0.000849007862f)))));
     early[14] = halo_3 * halo_3;
     early[15] = ((-9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[57]) * x[1] +
-        (9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[58])) * cosine2_2;
+        (9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[58])) * cosine2;
     (void)x;
     (void)early;
 }
@@ -491,14 +491,17 @@ static inline void skylight_sh_7_bands_0_1pct_packed_end_factors(const
     skylight_sh_7_bands_0_1pct_packed_real *out)
 {
     const float halo4 = early[4] * early[4];
-    const float shape_y = early[2] * ((1.0f * skylight_sh_7_bands_0_1pct_packed_short[8]) + early[3]
-        * halo4 + early[5]);
+    const float shape_y = early[2] *
+        (((skylight_sh_7_bands_0_1pct_packed_real)skylight_sh_7_bands_0_1pct_packed_short[8]) +
+        early[3] * halo4 + early[5]);
     const float halo4_2 = early[9] * early[9];
-    const float shape_x = early[7] * ((1.0f * skylight_sh_7_bands_0_1pct_packed_short[8]) + early[8]
-        * halo4_2 + early[10]);
+    const float shape_x = early[7] *
+        (((skylight_sh_7_bands_0_1pct_packed_real)skylight_sh_7_bands_0_1pct_packed_short[8]) +
+        early[8] * halo4_2 + early[10]);
     const float one = early[1] / (early[0] * shape_y * early[6] * shape_x);
     const float halo4_3 = early[14] * early[14];
-    const float shape_z = early[12] * ((1.0f * skylight_sh_7_bands_0_1pct_packed_short[8]) +
+    const float shape_z = early[12] *
+        (((skylight_sh_7_bands_0_1pct_packed_real)skylight_sh_7_bands_0_1pct_packed_short[8]) +
         early[13] * halo4_3 + early[15]);
     const float of_x = one * early[11] * shape_z;
     out[1] = 3.73898554f * of_x;
@@ -725,43 +728,39 @@ static inline void skylight_sh_7_bands_0_1pct_packed_factor_slopes(const double 
     const double halo2_2 = halo_2 * halo_2;
     const double halo4_2 = halo2_2 * halo2_2;
     const double part_40 = (-0.0033) * x[1] + 0.045199999999999997;
-    const double z_2 = x[0] * x[0];
-    const double part_41 = 0.5 - z_2 * 0.03125;
-    const double cosine_2 = 1.0 - z_2 * part_41;
-    const double cosine2_2 = cosine_2 * cosine_2;
-    const double part_42 = 1.0 + part_33 * halo4_2 + part_40 * cosine2_2;
-    const double shape_x = part_32 * part_42;
-    const double part_43 = part_31 * shape_x;
-    const double one = zenith / part_43;
-    const double part_44 = 0.00166 * x[1] + (-0.02903);
-    const double part_45 = part_44 * x[1] + 0.11693000000000001;
-    const double part_46 = (-0.0037499999999999999) * x[1] + 0.063769999999999993;
-    const double part_47 = part_45 * x[0] + (part_46 * x[1] + (-0.21196000000000001));
-    const double part_48 = 0.0020899999999999998 * x[1] + (-0.03202);
-    const double part_49 = part_47 * x[0] + (part_48 * x[1] + 0.060519999999999997);
-    const double x_zenith = part_49 * x[0] + (0.0039399999999999999 * x[1] + 0.25885999999999998);
-    const double part_50 = one * x_zenith;
-    const double part_51 = 0.0099299999999999996 * x[1] + 0.73440000000000005;
-    const double part_52 = (-0.0079000000000000008) * x[1] + 0.2102;
-    const double part_53 = (-0.0441) * x[1] + (-1.6536999999999999);
-    const double y_3 = part_53 * x[0] * 0.25;
-    const double part_54 = 0.0076543250999999996 + y_3 * 0.00084900787100000003;
-    const double part_55 = 0.041223317699999998 + y_3 * part_54;
-    const double part_56 = 0.16651516699999999 + y_3 * part_55;
-    const double part_57 = 0.49997509099999998 + y_3 * part_56;
-    const double part_58 = 0.99999845399999998 + y_3 * part_57;
-    const double halo_3 = 0.99999998400000001 + y_3 * part_58;
+    const double part_41 = 1.0 + part_33 * halo4_2 + part_40 * cosine2;
+    const double shape_x = part_32 * part_41;
+    const double part_42 = part_31 * shape_x;
+    const double one = zenith / part_42;
+    const double part_43 = 0.00166 * x[1] + (-0.02903);
+    const double part_44 = part_43 * x[1] + 0.11693000000000001;
+    const double part_45 = (-0.0037499999999999999) * x[1] + 0.063769999999999993;
+    const double part_46 = part_44 * x[0] + (part_45 * x[1] + (-0.21196000000000001));
+    const double part_47 = 0.0020899999999999998 * x[1] + (-0.03202);
+    const double part_48 = part_46 * x[0] + (part_47 * x[1] + 0.060519999999999997);
+    const double x_zenith = part_48 * x[0] + (0.0039399999999999999 * x[1] + 0.25885999999999998);
+    const double part_49 = one * x_zenith;
+    const double part_50 = 0.0099299999999999996 * x[1] + 0.73440000000000005;
+    const double part_51 = (-0.0079000000000000008) * x[1] + 0.2102;
+    const double part_52 = (-0.0441) * x[1] + (-1.6536999999999999);
+    const double y_3 = part_52 * x[0] * 0.25;
+    const double part_53 = 0.0076543250999999996 + y_3 * 0.00084900787100000003;
+    const double part_54 = 0.041223317699999998 + y_3 * part_53;
+    const double part_55 = 0.16651516699999999 + y_3 * part_54;
+    const double part_56 = 0.49997509099999998 + y_3 * part_55;
+    const double part_57 = 0.99999845399999998 + y_3 * part_56;
+    const double halo_3 = 0.99999998400000001 + y_3 * part_57;
     const double halo2_3 = halo_3 * halo_3;
     const double halo4_3 = halo2_3 * halo2_3;
-    const double part_59 = (-0.0109) * x[1] + 0.052900000000000003;
-    const double part_60 = 1.0 + part_52 * halo4_3 + part_59 * cosine2_2;
-    const double shape_z = part_51 * part_60;
-    const double of_x = part_50 * shape_z;
+    const double part_58 = (-0.0109) * x[1] + 0.052900000000000003;
+    const double part_59 = 1.0 + part_51 * halo4_3 + part_58 * cosine2;
+    const double shape_z = part_50 * part_59;
+    const double of_x = part_49 * shape_z;
     out[1] = 3.7389855999999999 * of_x;
-    const double part_61 = one * y_zenith;
-    const double of_y = part_61 * shape_x;
-    const double part_62 = one * shape_z;
-    const double of_s = part_62 * shape_x;
+    const double part_60 = one * y_zenith;
+    const double of_y = part_60 * shape_x;
+    const double part_61 = one * shape_z;
+    const double of_s = part_61 * shape_x;
     out[2] = (-0.49853140000000001) * of_s;
     out[0] = out[1] + (-1.0386070999999999) * of_y + out[2];
     out[4] = (-1.0108219999999999) * of_x;
@@ -770,97 +769,95 @@ static inline void skylight_sh_7_bands_0_1pct_packed_factor_slopes(const double 
     out[7] = (-1.0015818000000001) * of_x;
     out[8] = 1.0572252 * of_s;
     out[6] = out[7] + (-1.2612511) * of_y + out[8];
-    const double part_63 = part_2 * -1.0;
-    const double part_64 = part_63 * chi + chi * part_63;
-    const double part_65 = -(part_64 * part_8 + square * -(15.0 * part_64));
-    const double part_66 = part_15 * 0.25;
-    const double part_67 = part_66 * part_20 + y * (part_66 * part_19 + y * (part_66 * part_18 + y *
-        (part_66 * part_17 + y * (part_66 * part_16 + y * (part_66 * 0.00084900787100000003)))));
-    const double part_68 = part_67 * halo + halo * part_67;
-    const double part_69 = x[0] + x[0];
-    const double part_70 = -(part_69 * part_22 + z * -(part_69 * 0.03125));
+    const double part_62 = part_2 * -1.0;
+    const double part_63 = part_62 * chi + chi * part_62;
+    const double part_64 = -(part_63 * part_8 + square * -(15.0 * part_63));
+    const double part_65 = part_15 * 0.25;
+    const double part_66 = part_65 * part_20 + y * (part_65 * part_19 + y * (part_65 * part_18 + y *
+        (part_65 * part_17 + y * (part_65 * part_16 + y * (part_65 * 0.00084900787100000003)))));
+    const double part_67 = part_66 * halo + halo * part_66;
+    const double part_68 = x[0] + x[0];
+    const double part_69 = -(part_68 * part_22 + z * -(part_68 * 0.03125));
+    const double part_70 = part_69 * cosine + cosine * part_69;
     const double part_71 = (part_26 * x[0] + part_28) * x[0] + part_30;
     const double part_72 = part_34 * 0.25;
     const double part_73 = part_72 * part_39 + y_2 * (part_72 * part_38 + y_2 * (part_72 * part_37 +
         y_2 * (part_72 * part_36 + y_2 * (part_72 * part_35 + y_2 * (part_72 *
         0.00084900787100000003)))));
     const double part_74 = part_73 * halo_2 + halo_2 * part_73;
-    const double part_75 = x[0] + x[0];
-    const double part_76 = -(part_75 * part_41 + z_2 * -(part_75 * 0.03125));
-    const double part_77 = part_76 * cosine_2 + cosine_2 * part_76;
-    const double part_78 = part_32 * (part_33 * (part_74 * halo2_2 + halo2_2 * part_74) + part_40 *
-        part_77);
-    const double part_79 = (part_1 * (part_63 * part_5 + chi * -(part_64 * part_4 + square *
-        -part_64)) + part_7 * part_65) / part_43 - one * (((part_65 * shape_y + below * (part_13 *
-        (part_14 * (part_68 * halo2 + halo2 * part_68) + part_21 * (part_70 * cosine + cosine *
-        part_70)))) * y_zenith + part_24 * part_71) * shape_x + part_31 * part_78) / part_43;
-    const double part_80 = part_53 * 0.25;
-    const double part_81 = part_80 * part_58 + y_3 * (part_80 * part_57 + y_3 * (part_80 * part_56 +
-        y_3 * (part_80 * part_55 + y_3 * (part_80 * part_54 + y_3 * (part_80 *
+    const double part_75 = part_32 * (part_33 * (part_74 * halo2_2 + halo2_2 * part_74) + part_40 *
+        part_70);
+    const double part_76 = (part_1 * (part_62 * part_5 + chi * -(part_63 * part_4 + square *
+        -part_63)) + part_7 * part_64) / part_42 - one * (((part_64 * shape_y + below * (part_13 *
+        (part_14 * (part_67 * halo2 + halo2 * part_67) + part_21 * part_70))) * y_zenith + part_24 *
+        part_71) * shape_x + part_31 * part_75) / part_42;
+    const double part_77 = part_52 * 0.25;
+    const double part_78 = part_77 * part_57 + y_3 * (part_77 * part_56 + y_3 * (part_77 * part_55 +
+        y_3 * (part_77 * part_54 + y_3 * (part_77 * part_53 + y_3 * (part_77 *
         0.00084900787100000003)))));
-    const double part_82 = part_81 * halo_3 + halo_3 * part_81;
-    const double part_83 = part_51 * (part_52 * (part_82 * halo2_3 + halo2_3 * part_82) + part_59 *
-        part_77);
-    const double part_84 = (part_79 * x_zenith + one * ((part_45 * x[0] + part_47) * x[0] +
-        part_49)) * shape_z + part_50 * part_83;
-    out[10] = 3.7389855999999999 * part_84;
-    const double part_85 = (part_79 * y_zenith + one * part_71) * shape_x + part_61 * part_78;
-    const double part_86 = (part_79 * shape_z + one * part_83) * shape_x + part_62 * part_78;
-    out[11] = (-0.49853140000000001) * part_86;
-    out[9] = out[10] + (-1.0386070999999999) * part_85 + out[11];
-    out[13] = (-1.0108219999999999) * part_84;
-    out[14] = 0.041556000000000003 * part_86;
-    out[12] = out[13] + 1.8344548000000001 * part_85 + out[14];
-    out[16] = (-1.0015818000000001) * part_84;
-    out[17] = 1.0572252 * part_86;
-    out[15] = out[16] + (-1.2612511) * part_85 + out[17];
-    const double part_87 = -0.016666666666666666 * part_3;
-    const double part_88 = part_87 * chi + chi * part_87;
-    const double part_89 = -(part_88 * part_8 + square * -(15.0 * part_88));
-    const double part_90 = (-0.35539999999999999) * part_11 + part_10 * ((-0.35539999999999999) *
+    const double part_79 = part_78 * halo_3 + halo_3 * part_78;
+    const double part_80 = part_50 * (part_51 * (part_79 * halo2_3 + halo2_3 * part_79) + part_58 *
+        part_70);
+    const double part_81 = (part_76 * x_zenith + one * ((part_44 * x[0] + part_46) * x[0] +
+        part_48)) * shape_z + part_49 * part_80;
+    out[10] = 3.7389855999999999 * part_81;
+    const double part_82 = (part_76 * y_zenith + one * part_71) * shape_x + part_60 * part_75;
+    const double part_83 = (part_76 * shape_z + one * part_80) * shape_x + part_61 * part_75;
+    out[11] = (-0.49853140000000001) * part_83;
+    out[9] = out[10] + (-1.0386070999999999) * part_82 + out[11];
+    out[13] = (-1.0108219999999999) * part_81;
+    out[14] = 0.041556000000000003 * part_83;
+    out[12] = out[13] + 1.8344548000000001 * part_82 + out[14];
+    out[16] = (-1.0015818000000001) * part_81;
+    out[17] = 1.0572252 * part_83;
+    out[15] = out[16] + (-1.2612511) * part_82 + out[17];
+    const double part_84 = -0.016666666666666666 * part_3;
+    const double part_85 = part_84 * chi + chi * part_84;
+    const double part_86 = -(part_85 * part_8 + square * -(15.0 * part_85));
+    const double part_87 = (-0.35539999999999999) * part_11 + part_10 * ((-0.35539999999999999) *
         0.03125);
-    const double part_91 = part_90 * up + up * part_90;
-    const double part_92 = 0.1206 * x[0] * 0.25;
-    const double part_93 = part_92 * part_20 + y * (part_92 * part_19 + y * (part_92 * part_18 + y *
-        (part_92 * part_17 + y * (part_92 * part_16 + y * (part_92 * 0.00084900787100000003)))));
-    const double part_94 = part_93 * halo + halo * part_93;
-    const double part_95 = (((0.0027499999999999998 * x[1] + part_25) * x[0] +
+    const double part_88 = part_87 * up + up * part_87;
+    const double part_89 = 0.1206 * x[0] * 0.25;
+    const double part_90 = part_89 * part_20 + y * (part_89 * part_19 + y * (part_89 * part_18 + y *
+        (part_89 * part_17 + y * (part_89 * part_16 + y * (part_89 * 0.00084900787100000003)))));
+    const double part_91 = part_90 * halo + halo * part_90;
+    const double part_92 = (((0.0027499999999999998 * x[1] + part_25) * x[0] +
         ((-0.0061000000000000004) * x[1] + part_27)) * x[0] + (0.0031700000000000001 * x[1] +
         part_29)) * x[0] + 0.0051599999999999997;
-    const double part_96 = (-0.064100000000000004) * x[0] * 0.25;
-    const double part_97 = part_96 * part_39 + y_2 * (part_96 * part_38 + y_2 * (part_96 * part_37 +
-        y_2 * (part_96 * part_36 + y_2 * (part_96 * part_35 + y_2 * (part_96 *
+    const double part_93 = (-0.064100000000000004) * x[0] * 0.25;
+    const double part_94 = part_93 * part_39 + y_2 * (part_93 * part_38 + y_2 * (part_93 * part_37 +
+        y_2 * (part_93 * part_36 + y_2 * (part_93 * part_35 + y_2 * (part_93 *
         0.00084900787100000003)))));
-    const double part_98 = part_97 * halo_2 + halo_2 * part_97;
-    const double part_99 = 0.0025000000000000001 * part_42 + part_32 * ((-0.00040000000000000002) *
-        halo4_2 + part_33 * (part_98 * halo2_2 + halo2_2 * part_98) + (-0.0033) * cosine2_2);
-    const double part_100 = (4045.3000000000002 * part_6 + part_1 * (part_87 * part_5 + chi *
-        -(part_88 * part_4 + square * -part_88)) + (-215.5 * below + part_7 * part_89)) / part_43 -
-        one * (((part_89 * shape_y + below * ((0.1787 * part_12 + part_9 * (part_91 * up2 + up2 *
-        part_91)) * part_23 + part_13 * ((-0.022700000000000001) * halo4 + part_14 * (part_94 *
-        halo2 + halo2 * part_94) + (-0.067000000000000004) * cosine2))) * y_zenith + part_24 *
-        part_95) * shape_x + part_31 * part_99) / part_43;
-    const double part_101 = (-0.0441) * x[0] * 0.25;
-    const double part_102 = part_101 * part_58 + y_3 * (part_101 * part_57 + y_3 * (part_101 *
-        part_56 + y_3 * (part_101 * part_55 + y_3 * (part_101 * part_54 + y_3 * (part_101 *
+    const double part_95 = part_94 * halo_2 + halo_2 * part_94;
+    const double part_96 = 0.0025000000000000001 * part_41 + part_32 * ((-0.00040000000000000002) *
+        halo4_2 + part_33 * (part_95 * halo2_2 + halo2_2 * part_95) + (-0.0033) * cosine2);
+    const double part_97 = (4045.3000000000002 * part_6 + part_1 * (part_84 * part_5 + chi *
+        -(part_85 * part_4 + square * -part_85)) + (-215.5 * below + part_7 * part_86)) / part_42 -
+        one * (((part_86 * shape_y + below * ((0.1787 * part_12 + part_9 * (part_88 * up2 + up2 *
+        part_88)) * part_23 + part_13 * ((-0.022700000000000001) * halo4 + part_14 * (part_91 *
+        halo2 + halo2 * part_91) + (-0.067000000000000004) * cosine2))) * y_zenith + part_24 *
+        part_92) * shape_x + part_31 * part_96) / part_42;
+    const double part_98 = (-0.0441) * x[0] * 0.25;
+    const double part_99 = part_98 * part_57 + y_3 * (part_98 * part_56 + y_3 * (part_98 * part_55 +
+        y_3 * (part_98 * part_54 + y_3 * (part_98 * part_53 + y_3 * (part_98 *
         0.00084900787100000003)))));
-    const double part_103 = part_102 * halo_3 + halo_3 * part_102;
-    const double part_104 = 0.0099299999999999996 * part_60 + part_51 * ((-0.0079000000000000008) *
-        halo4_3 + part_52 * (part_103 * halo2_3 + halo2_3 * part_103) + (-0.0109) * cosine2_2);
-    const double part_105 = (part_100 * x_zenith + one * ((((0.00166 * x[1] + part_44) * x[0] +
-        ((-0.0037499999999999999) * x[1] + part_46)) * x[0] + (0.0020899999999999998 * x[1] +
-        part_48)) * x[0] + 0.0039399999999999999)) * shape_z + part_50 * part_104;
-    out[19] = 3.7389855999999999 * part_105;
-    const double part_106 = (part_100 * y_zenith + one * part_95) * shape_x + part_61 * part_99;
-    const double part_107 = (part_100 * shape_z + one * part_104) * shape_x + part_62 * part_99;
-    out[20] = (-0.49853140000000001) * part_107;
-    out[18] = out[19] + (-1.0386070999999999) * part_106 + out[20];
-    out[22] = (-1.0108219999999999) * part_105;
-    out[23] = 0.041556000000000003 * part_107;
-    out[21] = out[22] + 1.8344548000000001 * part_106 + out[23];
-    out[25] = (-1.0015818000000001) * part_105;
-    out[26] = 1.0572252 * part_107;
-    out[24] = out[25] + (-1.2612511) * part_106 + out[26];
+    const double part_100 = part_99 * halo_3 + halo_3 * part_99;
+    const double part_101 = 0.0099299999999999996 * part_59 + part_50 * ((-0.0079000000000000008) *
+        halo4_3 + part_51 * (part_100 * halo2_3 + halo2_3 * part_100) + (-0.0109) * cosine2);
+    const double part_102 = (part_97 * x_zenith + one * ((((0.00166 * x[1] + part_43) * x[0] +
+        ((-0.0037499999999999999) * x[1] + part_45)) * x[0] + (0.0020899999999999998 * x[1] +
+        part_47)) * x[0] + 0.0039399999999999999)) * shape_z + part_49 * part_101;
+    out[19] = 3.7389855999999999 * part_102;
+    const double part_103 = (part_97 * y_zenith + one * part_92) * shape_x + part_60 * part_96;
+    const double part_104 = (part_97 * shape_z + one * part_101) * shape_x + part_61 * part_96;
+    out[20] = (-0.49853140000000001) * part_104;
+    out[18] = out[19] + (-1.0386070999999999) * part_103 + out[20];
+    out[22] = (-1.0108219999999999) * part_102;
+    out[23] = 0.041556000000000003 * part_104;
+    out[21] = out[22] + 1.8344548000000001 * part_103 + out[23];
+    out[25] = (-1.0015818000000001) * part_102;
+    out[26] = 1.0572252 * part_104;
+    out[24] = out[25] + (-1.2612511) * part_103 + out[26];
     (void)x;
 }
 
