@@ -13,7 +13,7 @@ from skylight_sh.cli import options
 @click.argument("config", default=options.DEFAULT)
 @options.reports
 def stability(config: str, reports: Path) -> None:
-    """Stress the numerics of CONFIG, which must have run: bases, solvers, number types, compilers, noise, edges.
+    """Stress the numerics of CONFIG, which must have run: bases, solvers, number types, compilers, noise, edges, rounding.
 
     CONFIG is a path or a shipped config's name, preetham if it is left out.
     """

@@ -1,9 +1,22 @@
-"""The stresses: bases, schemes, compilers, noise, harmonics, bands, edges, and the published tables on new sets."""
+"""The stresses: bases, schemes, compilers, noise, harmonics, bands, edges, tables as they are evaluated, and on new sets."""
 
 from __future__ import annotations
 
 from skylight_sh.studies.run import Study
-from skylight_sh.studies.stability import bands, bases, contraction, edges, harmonics, noise, schemes, winners
+from skylight_sh.studies.stability import (
+    bands,
+    bases,
+    cancellation,
+    contraction,
+    decoded,
+    edges,
+    gradients,
+    harmonics,
+    noise,
+    schemes,
+    winners,
+    zenith,
+)
 
 STABILITY = Study(
     name="stability",
@@ -18,6 +31,10 @@ STABILITY = Study(
         lambda _: harmonics.section(),
         lambda on: bands.section(on.config, on.recommended),
         lambda on: edges.section(on.samples, on.recommended),
+        lambda on: cancellation.sections(on.samples, on.recommended, on.tables, on.published),
+        lambda on: zenith.sections(on.recommended, on.tables),
+        lambda on: decoded.section(on.tables),
+        lambda on: gradients.section(on.tables),
         lambda on: winners.second_verification(on.samples, on.tables, on.published),
         lambda on: winners.smoothness(on.samples, on.tables),
     ),
