@@ -206,3 +206,38 @@ int main(void)
             expected[:, plus] = made[:, plus] * np.cos(m * phi) - made[:, minus] * np.sin(m * phi)
             expected[:, minus] = made[:, minus] * np.cos(m * phi) + made[:, plus] * np.sin(m * phi)
     assert found == pytest.approx([0.0, *expected.ravel()], rel=1e-6)
+
+
+ANGLES = """
+#include <stdio.h>
+#include "skylight_sh.h"
+static const float in[{count}] = {{{values}}};
+int main(void)
+{{
+    int s;
+    for (s = 0; s < {count}; ++s) {{
+        float w[1][4];
+        skylight_sh_weights(1.0f, in[s], w);
+        printf("%.9g %.9g\\n", (double)w[0][3], (double)w[0][1]);
+    }}
+    return 0;
+}}
+"""
+
+
+def test_azimuths_of_any_size_have_their_cosine_and_sine(tmp_path: Path) -> None:
+    """At all quarters and between, a float before and after each, of one turn and of thousands, beyond 1e5 the library's."""
+    quarters = np.arange(-40, 41) * (np.pi / 8)
+    near = np.concatenate([np.nextafter(quarters.astype(np.float32), np.float32(end)) for end in (-9e9, 9e9)])
+    far = np.array([0.0, -0.0, 1e-30, 99999.0, 1e5, -123456.0, 3e7, 54321.0, -2e4])
+    values = np.concatenate([quarters, near, far, np.linspace(-1e4, 1e4, 999)]).astype(np.float32)
+    spec = specification((Axis("sun_zenith", 0.0, 1.5),), ("one",), True, "monomial", None)
+    # The weight l = 1, m = 1 alone, and it is 1.
+    dense = np.array([0.0, 0.0, 1.0]).reshape(1, 3, 1)
+    table = fast(spec, dense, np.array([1]), 2, "float32")
+    (tmp_path / "skylight_sh.h").write_text(c_header.write(table, FACTS), encoding="utf-8")
+    text = run(tmp_path, ANGLES.format(count=values.size, values=floats(values))).stdout
+    got = np.array(text.split(), dtype=np.float64).reshape(-1, 2)
+    angle = values.astype(np.float64)
+    assert np.abs(got[:, 0] - np.cos(angle)).max() < 1.5e-7
+    assert np.abs(got[:, 1] - np.sin(angle)).max() < 1.5e-7

@@ -196,6 +196,22 @@ def others(table: Table) -> int:
     return int(np.prod([degree + 1 for degree in table.degrees[1:]], dtype=int))
 
 
+def factors(table: Table) -> int:
+    """Return how many factors sums have: one, or a class's of each channel, in fours."""
+    return table.spec.classes * _channels(table) if is_mixed(table) else 1
+
+
+def factor_places(table: Table) -> list[int]:
+    """Return where the outputs of the factors' program stand: class by class, the channels side by side."""
+    if not is_mixed(table):
+        return [0]
+    return [k * _channels(table) + channel for channel in range(len(table.channels)) for k in range(table.spec.classes)]
+
+
+def _channels(table: Table) -> int:
+    return -(-len(table.channels) // _FOUR) * _FOUR
+
+
 def _sums(table: Table) -> Iterator[str]:
     """Yield the sizes of sums and rows, and where a class's sums go."""
     lengths, column = lengths_of(table), columns_of(table)
@@ -210,9 +226,11 @@ def _sums(table: Table) -> Iterator[str]:
         "Classes; a row's numbers, one a sum, and those of the first 1, 2, .. bands; room for a class's sums."
     )
     yield f"#define {P}_CLASSES {table.spec.classes}"
-    later = " ".join(f"CLASS({k})" for k in range(1, table.spec.classes))
-    yield f"#define {P}_OTHER_CLASSES(CLASS) {later}".rstrip()
-    yield f"#define {P}_FACTORS {len(table.spec.scale.program.outputs) if table.spec.scale else 1}"
+    every = " ".join(f"CLASS({k})" for k in range(table.spec.classes))
+    yield f"#define {P}_ALL_CLASSES(CLASS) {every}"
+    yield from commented("What multiplies the sum of a class for a channel; the channels side by side, in fours.")
+    yield f"#define {P}_FACTORS {factors(table)}"
+    yield f"#define {P}_FACTOR(channel, class_) ({'(class_) * ' + str(_channels(table)) + ' + (channel)'})"
     yield f"#define {P}_WIDTH {width}"
     yield f"#define {P}_WIDTHS {_braced(int(np.sum((column >= 0) & (degrees < n))) for n in range(1, table.bands + 1))}"
     yield f"#define {P}_ROOM {-(-width // _WIDEST) * _WIDEST}"
@@ -290,6 +308,7 @@ def _rows(body: ClassRows) -> Iterator[str]:
     numbers = [number(c) for c in body.rows.ravel().tolist()]
     # The last row is read in vectors of as many numbers as a compiler has.
     numbers += [number(0.0)] * (-width % _WIDEST)
+    yield f"{P}_ALIGNED"
     yield from _array(f"static const {_p}_real {_p}_rows", numbers, len(numbers))
 
 

@@ -8,18 +8,19 @@ from dataclasses import replace
 from skylight_sh.export import c_data
 from skylight_sh.export.evaluators import commented
 from skylight_sh.formula import printers
-from skylight_sh.formula.azimuth import TURN, stretched_waves
+from skylight_sh.formula.azimuth import TURN, waves_of_turn
 from skylight_sh.formula.bases import BASES
 from skylight_sh.formula.expression import with_derivatives
-from skylight_sh.formula.halves import halves
-from skylight_sh.formula.printers import C_DOUBLE, C_SINGLE, Language
-from skylight_sh.formula.sine import SHORT_END, SHORT_SINE, SINE
+from skylight_sh.formula.printers import C_DOUBLE, C_FOUR, C_SINGLE, C_SUNS, Language
+from skylight_sh.formula.side_by_side import side_by_side
+from skylight_sh.formula.sine import QUARTER, SHORT_END, SHORT_SINE, SINE
 from skylight_sh.formula.window import SINC
 from skylight_sh.runtime import Packed, Program, Table
 from skylight_sh.table.prefactor import CLOSED_FORM
 from skylight_sh.table.short_numbers import short
 
 P, _p = c_data.P, "skylight_sh"
+_FOUR = 4
 
 
 def functions(table: Table) -> Iterator[str]:
@@ -33,20 +34,16 @@ def functions(table: Table) -> Iterator[str]:
         yield f"static const unsigned short {_p}_short[{len(shorts)}] = {{ {', '.join(map(str, shorts))} }};"
         yield ""
     yield from factors
-    yield from commented(f"The functions of {_axis(table, 0)}; 0 where there is none.")
-    yield from _function(f"void {_p}_first(const {real} *x, {real} *out)", _first(table, language))
-    others = ", ".join(_axis(table, axis) for axis in range(1, len(x)))
-    yield from commented(f"All products of the functions of {others or 'no other axis'}.")
-    yield from _function(f"void {_p}_others(const {real} *x, {real} *out)", _others(table, language))
-    yield from commented("cos(m azimuth) and sin(m azimuth), m < bands, each times the m-th power of `radius`, by doubling.")
-    targets = [f"{name}[{m}]" for name in ("cosines", "sines") for m in range(table.bands)]
-    lines = printers.assignments(stretched_waves(table.bands), language, ["azimuth", "radius"], targets)
-    lines += ["(void)azimuth;", "(void)radius;"] if table.bands == 1 else []
-    yield from _function(f"void {_p}_waves({real} azimuth, {real} radius, {real} *cosines, {real} *sines)", lines)
-    if table.spec.parity:
-        yield from commented("The sine of the sun's zenith angle, whose powers the sums of order m lack.")
-        peak = f"x[{P}_SUN]"
-        yield from _function(f"{real} {_p}_sine(const {real} *x)", _returning(_sine(table), language, [peak]))
+    yield from _of_sums(table, language, real, "")
+    if not c_data.is_double(table):
+        yield from commented("Cosine and sine of an angle of at most an eighth of a turn.")
+        yield from _function(f"void {_p}_quarter({real} angle, {real} *out)", _quarter(language))
+    if "HAS_WIDE" in c_data.features(table):
+        yield f"#ifdef {P}_LANES"
+        yield from commented("The same for suns side by side.")
+        yield from _wide_functions(table, x)
+        yield f"#endif /* {P}_LANES */"
+        yield ""
     if not table.spec.mirrored:
         yield from commented("The weights of orders m and -m turned by the azimuth (Habel et al. 2008, eq. 4).")
         found, results = printers.statements(TURN, language, ["plus", "minus", "cosine", "sine"])
@@ -61,24 +58,85 @@ def functions(table: Table) -> Iterator[str]:
         yield from _function(f"{real} {_p}_fade({real} depth)", lines)
 
 
+def _of_sums(table: Table, language: Language, real: str, suffix: str) -> Iterator[str]:
+    """Yield the functions of the axes, the waves of the azimuth and the sine; ``suffix`` tells those of many suns."""
+    yield from commented(f"The functions of {_axis(table, 0)}; 0 where there is none.")
+    yield from _function(f"void {_p}_first{suffix}(const {real} *x, {real} *out)", _first(table, language))
+    others = ", ".join(_axis(table, axis) for axis in range(1, len(table.axes)))
+    yield from commented(f"All products of the functions of {others or 'no other axis'}.")
+    yield from _function(f"void {_p}_others{suffix}(const {real} *x, {real} *out)", _others(table, language, real))
+    yield from commented("cos(m azimuth) and sin(m azimuth), m < bands, each times the m-th power of `radius`, by doubling.")
+    targets = [f"{name}[{m}]" for name in ("cosines", "sines") for m in range(table.bands)]
+    turn = ["cosine", "sine", "radius"]
+    lines = printers.assignments(waves_of_turn(table.bands), language, turn, targets)
+    lines += [f"(void){name};" for name in turn] if table.bands == 1 else []
+    given = ", ".join(f"{real} {name}" for name in turn)
+    yield from _function(f"void {_p}_waves{suffix}({given}, {real} *cosines, {real} *sines)", lines)
+    if table.spec.parity:
+        yield from commented("The sine of the sun's zenith angle, whose powers the sums of order m lack.")
+        peak = f"x[{P}_SUN]"
+        yield from _function(f"{real} {_p}_sine{suffix}(const {real} *x)", _returning(_sine(table), language, [peak]))
+
+
+def _wide_functions(table: Table, x: Sequence[str]) -> Iterator[str]:
+    """Yield the same functions of vectors of suns."""
+    real = f"{_p}_lanes"
+    programs = [*(axis.variable for axis in table.axes), *([table.spec.scale.program] if table.spec.scale else [])]
+    called = sorted({str(step[0]) for program in programs for step in program.steps} & set(C_SUNS.functions))
+    for name in called:
+        yield from _function(
+            f"{real} {_p}_{name}_suns({real} v)",
+            ["int s;", f"for (s = 0; s < {P}_LANES; ++s) v[s] = {name}f(v[s]);", "return v;"],
+        )
+    yield from _function(f"void {_p}_factors_suns(const {real} *x, {real} *out)", _factor_lines(table, C_SUNS, x))
+    yield from _of_sums(table, C_SUNS, real, "_suns")
+    yield from _function(f"void {_p}_quarter_suns({real} angle, {real} *out)", _quarter(C_SUNS))
+
+
+def _quarter(language: Language) -> list[str]:
+    return printers.assignments(QUARTER, language, ["angle"], ["out[0]", "out[1]"])
+
+
 def _factors(table: Table, language: Language, x: Sequence[str]) -> Iterator[str]:
-    """Yield the functions of what multiplies sums."""
-    real, scale = f"{_p}_real", table.spec.scale
-    if scale and c_data.is_mixed(table):
-        early, rest = halves(scale.program)
-        targets = [f"early[{k}]" for k in range(len(early.outputs))]
-        yield f"#define {P}_EARLY {max(len(targets), 1)}"
-        yield ""
-        lines = [*printers.assignments(early, language, x, targets), "(void)x;", "(void)early;"]
-        yield from _function(f"void {_p}_begin_factors(const {real} *x, {real} *early)", lines)
-        outputs = [f"out[{k}]" for k in range(len(rest.outputs))]
-        lines = [*printers.assignments(rest, language, [*x, *targets], outputs), "(void)x;", "(void)early;"]
-        yield from commented("The rest of it.")
-        yield from _function(f"void {_p}_end_factors(const {real} *x, const {real} *early, {real} *out)", lines)
-    else:
-        scaled = _returning(scale.program, language, x) if scale else ["return 1;"]
-        lines = scaled if any("x[" in line for line in scaled) else ["(void)x;", *scaled]
-        yield from _function(f"{real} {_p}_scale(const {real} *x)", lines)
+    """Yield the function of what multiplies sums: where there are classes, with vectors where the compiler has them."""
+    head = f"void {_p}_factors(const {_p}_real *x, {_p}_real *out)"
+    scale = table.spec.scale
+    if scale is None or not c_data.is_mixed(table) or c_data.is_double(table):
+        yield from _function(head, _factor_lines(table, language, x))
+        return
+    places = c_data.factor_places(table)
+    channels = len(table.channels)
+    fours = [
+        [[k + table.spec.classes * channel for channel in range(channels)][i : i + _FOUR] for i in range(0, channels, _FOUR)]
+        for k in range(table.spec.classes)
+    ]
+    groups = [four for of_class in fours for four in of_class]
+    targets = [f"out + {places[group[0]]}" for group in groups]
+    vectors = replace(language, vectors=C_FOUR.vectors)
+    lines = printers.assignments(side_by_side(scale.program, groups), vectors, x, targets)
+    yield f"#ifdef {P}_LANES"
+    yield from commented("Equal formulas of different numbers side by side.")
+    yield from _function(head, [*lines, "(void)x;"])
+    yield "#else"
+    yield from _function(head, _factor_lines(table, language, x))
+    yield f"#endif /* {P}_LANES */"
+    yield ""
+
+
+def _factor_lines(table: Table, language: Language, x: Sequence[str]) -> list[str]:
+    """Return the statements that fill ``out``, with 0 where no channel has a place."""
+    if not table.spec.scale:
+        return [_filled(language, "out[0]", 1.0), "(void)x;"]
+    places = c_data.factor_places(table)
+    empty = sorted(set(range(c_data.factors(table))) - set(places))
+    lines = printers.assignments(table.spec.scale.program, language, x, [f"out[{place}]" for place in places])
+    return [*lines, *(_filled(language, f"out[{place}]", 0.0) for place in empty), "(void)x;"]
+
+
+def _filled(language: Language, target: str, value: float) -> str:
+    """Return the statement that gives ``target`` a number."""
+    text = language.number(value)
+    return f"{target} = {language.vectors.spread.format(x=text) if language.vectors else text};"
 
 
 def _keeps_shorts(table: Table) -> bool:
@@ -121,12 +179,13 @@ def slopes(table: Table) -> Iterator[str]:
     lines.append("(void)v;")
     yield from _function(f"void {_p}_functions(int axis, double v, double *out, double *slopes)", lines)
     yield from commented("The factors, then their slopes after each axis.")
+    count, places = c_data.factors(table), c_data.factor_places(table)
     if table.spec.scale:
         axes = range(len(table.axes))
         program = with_derivatives(table.spec.scale.program, list(axes))
-        inputs, targets = [f"x[{axis}]" for axis in axes], [f"out[{k}]" for k in range(len(program.outputs))]
+        targets = [f"out[{block * count + place}]" for block in range(1 + len(axes)) for place in places]
         # A constant factor reads no axis.
-        lines = [*printers.assignments(program, C_DOUBLE, inputs, targets), "(void)x;"]
+        lines = [*printers.assignments(program, C_DOUBLE, [f"x[{axis}]" for axis in axes], targets), "(void)x;"]
     else:
         lines = ["(void)x;", *(f"out[{k}] = {float(k == 0)};" for k in range(1 + len(table.axes)))]
     yield from _function(f"void {_p}_factor_slopes(const double *x, double *out)", lines)
@@ -167,14 +226,15 @@ def _first(table: Table, language: Language) -> list[str]:
     program = c_data.functions_of(table, 0, _basis(table, 0))
     size = len(program.outputs)
     lines = printers.assignments(program, language, ["x[0]"], [f"out[{k}]" for k in range(size)])
-    return [*lines, *(f"out[{k}] = 0;" for k in range(size, c_data.room(size - 1))), "(void)x;"]
+    empty = range(size, c_data.room(size - 1))
+    return [*lines, *(_filled(language, f"out[{k}]", 0.0) for k in empty), "(void)x;"]
 
 
-def _others(table: Table, language: Language) -> list[str]:
+def _others(table: Table, language: Language, real: str) -> list[str]:
     """Return the lines that fill all products of the other axes' functions, the last axis's fastest."""
     names = [axis.name for axis in table.axes[1:]]
     if not names:
-        return ["out[0] = 1;", "(void)x;"]
+        return [_filled(language, "out[0]", 1.0), "(void)x;"]
     lines: list[str] = []
     arrays = ["out"] if len(names) == 1 else [f"{name}_terms" for name in names]
     for axis, array in enumerate(arrays, start=1):
@@ -183,7 +243,7 @@ def _others(table: Table, language: Language) -> list[str]:
         found = printers.assignments(program, language, [f"x[{axis}]"], [f"{array}[{k}]" for k in range(size)])
         if len(names) == 1:
             return [*found, "(void)x;"]
-        lines += [f"{_p}_real {array}[{size}];", "{", *(f"    {line}" for line in found), "}"]
+        lines += [f"{real} {array}[{size}];", "{", *(f"    {line}" for line in found), "}"]
     places = [f"of_{name}" for name in names]
     lines += [f"int {', '.join(places)};"]
     for place, degree in zip(places, table.degrees[1:], strict=True):

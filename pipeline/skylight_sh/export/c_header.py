@@ -53,7 +53,13 @@ def write(table: Table, facts: Facts, prefix: str = evaluators.PREFIX) -> str:
     unit, _ = c_comment.about(table)
     has = c_data.features(table)
     declared = [*c_data.facts(table, unit, facts.e_mean, facts.e_max), "", *_declarations(table)]
-    defined = [*c_data.data(table, facts.luminance), "", *c_formulas.functions(table), *c_formulas.slopes(table)]
+    defined = [
+        part("c/vectors.h", has),
+        *c_data.data(table, facts.luminance),
+        "",
+        *c_formulas.functions(table),
+        *c_formulas.slopes(table),
+    ]
     evaluator = [part(f"c/{name}.h", has) for name in _parts(table)]
     body = [*defined, *evaluator, *_wrappers(table), part("c/extras.h", has)]
     # Tells tables under one prefix apart.
@@ -92,6 +98,7 @@ def example(table: Table, twin: Table) -> str:
         '#include "linkage.h"',
         "",
         *(f"#define {_P}_{name} 1" for name in sorted(c_data.features(table))),
+        '#include "vectors.h"',
         *c_data.facts(table, "cd/m2", 0.0, 0.0),
         *c_data.data(table, ()),
         c_data.unpacked(twin),
@@ -104,7 +111,7 @@ def example(table: Table, twin: Table) -> str:
 
 
 def _parts(table: Table) -> list[str]:
-    return ["inputs", "vectors", "turn", "rows", *(["packed"] if _is_packed(table) else []), "evaluate", "batch", "gradient"]
+    return ["inputs", "circle", "turn", "rows", *(["packed"] if _is_packed(table) else []), "evaluate", "batch", "gradient"]
 
 
 def _is_packed(table: Table) -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from skylight_sh.formula.elementary import cos, sin
-from skylight_sh.formula.expression import trace
+from skylight_sh.formula.expression import expressions, program, trace
 from skylight_sh.runtime import Program, turned
 
 
@@ -38,11 +38,19 @@ def stretched_waves(bands: int) -> Program:
     >>> [round(float(wave), 4) for wave in stretched_waves(2).run([1.0, 0.5])]
     [1.0, 0.2702, 0.0, 0.4207]
     """
+    turned_to = trace(lambda azimuth, radius: [cos(azimuth), sin(azimuth), radius], ["azimuth", "radius"])
+    return program(expressions(waves_of_turn(bands), expressions(turned_to)), ["azimuth", "radius"])
+
+
+def waves_of_turn(bands: int) -> Program:
+    """Return the same program of an azimuth's cosine and sine and of the radius.
+
+    >>> [round(float(wave), 4) for wave in waves_of_turn(3).run([0.6, 0.8, 1.0])]
+    [1.0, 0.6, -0.28, 0.0, 0.8, 0.96]
+    """
     return trace(
-        lambda azimuth, radius: [
-            wave for part in waves(radius * cos(azimuth), radius * sin(azimuth), bands) for wave in part
-        ],
-        ["azimuth", "radius"],
+        lambda cosine, sine, radius: [wave for part in waves(radius * cosine, radius * sine, bands) for wave in part],
+        ["cosine", "sine", "radius"],
     )
 
 

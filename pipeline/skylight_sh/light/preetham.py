@@ -307,9 +307,11 @@ def _indicatrix(theta: Any, cosine2: Any, k: Sequence[Any]) -> Any:
     """Return ``1 + c exp(d theta) + e cos^2`` by exp(y) = exp(y / 4)^4: few squares, which multiply roundings."""
     c, d, e = k
     y = label(d * theta * 0.25, "y")
-    halo: Any = _EXP[-1]
-    for number in _EXP[-2::-1]:
-        halo = number + y * halo
+    y2 = label(y * y, "y2")
+    # By Estrin's scheme: in pairs, which do not wait for one another.
+    halo: Any = _EXP[6]
+    for i in (4, 2, 0):
+        halo = _EXP[i] + _EXP[i + 1] * y + y2 * halo
     halo = label(halo, "halo")
     for power in (2, 4):
         halo = label(halo * halo, f"halo{power}")

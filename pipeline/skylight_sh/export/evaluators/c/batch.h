@@ -14,117 +14,202 @@ static inline int skylight_sh_evaluate_one(const skylight_sh_real *rows,
                                 SKYLIGHT_SH_BANDS, weights);
 }
 #if SKYLIGHT_SH_HAS_WIDE
-#if defined(SKYLIGHT_SH_LANES) && SKYLIGHT_SH_LANES > 4
-/* As many suns side by side as a vector has numbers. */
-#define SKYLIGHT_SH_SUNS SKYLIGHT_SH_LANES
+#ifdef SKYLIGHT_SH_LANES
+/* Suns that are evaluated side by side, and the vectors that they take. */
+#define SKYLIGHT_SH_SUNS 16
+#define SKYLIGHT_SH_GROUPS (SKYLIGHT_SH_SUNS / SKYLIGHT_SH_LANES)
 
-/* The weights of SKYLIGHT_SH_SUNS suns from `start` on, a row a weight; returns the largest status. */
-static inline int skylight_sh_evaluate_suns(
-    const skylight_sh_real *rows, const float *const inputs[SKYLIGHT_SH_AXES],
-    const float *azimuths, int start,
-    float out[SKYLIGHT_SH_CHANNELS * SKYLIGHT_SH_WEIGHTS][SKYLIGHT_SH_SUNS])
+/* Cosines and sines of angles side by side, as skylight_sh_circle has them. */
+static inline void skylight_sh_circle_suns(const float *angles, float *cosines, float *sines)
 {
-    static const short columns[SKYLIGHT_SH_BANDS] = SKYLIGHT_SH_COLUMNS;
-    float x[SKYLIGHT_SH_SUNS][SKYLIGHT_SH_AXES], light[SKYLIGHT_SH_SUNS], u[SKYLIGHT_SH_SUNS];
-    float others[SKYLIGHT_SH_OTHERS][SKYLIGHT_SH_SUNS];
-    float factors[SKYLIGHT_SH_FACTORS][SKYLIGHT_SH_SUNS];
-    float cosines[SKYLIGHT_SH_BANDS][SKYLIGHT_SH_SUNS], sines[SKYLIGHT_SH_BANDS][SKYLIGHT_SH_SUNS];
-    skylight_sh_lanes sums[SKYLIGHT_SH_CLASSES][SKYLIGHT_SH_WIDTH];
-    int s, i, k, l, m, channel, worst = 0;
+    float rest[SKYLIGHT_SH_LANES];
+    uint32_t bits[2][SKYLIGHT_SH_LANES], quarter[SKYLIGHT_SH_LANES];
+    skylight_sh_lanes out[2];
+    int s, far = 0;
+    for (s = 0; s < SKYLIGHT_SH_LANES; ++s) far |= !(angles[s] > -1e5f && angles[s] < 1e5f);
+    if (far) {
+        for (s = 0; s < SKYLIGHT_SH_LANES; ++s) skylight_sh_circle(angles[s], cosines + s, sines + s);
+        return;
+    }
+    for (s = 0; s < SKYLIGHT_SH_LANES; ++s) {
+        const int quarters = (int)(angles[s] * 0.636619772f + copysignf(0.5f, angles[s]));
+        rest[s] = (float)((double)angles[s] - (double)quarters * 1.5707963267948966);
+        quarter[s] = (uint32_t)quarters;
+    }
+    skylight_sh_quarter_suns(skylight_sh_load(rest), out);
+    memcpy(bits, out, sizeof bits);
+    for (s = 0; s < SKYLIGHT_SH_LANES; ++s) {
+        const uint32_t swapped = (bits[0][s] ^ bits[1][s]) & (0u - (quarter[s] & 1u));
+        bits[0][s] ^= swapped ^ (((quarter[s] + 1u) & 2u) << 30);
+        bits[1][s] ^= swapped ^ ((quarter[s] & 2u) << 30);
+    }
+    memcpy(cosines, bits[0], sizeof bits[0]);
+    memcpy(sines, bits[1], sizeof bits[1]);
+}
+
+/* Reads SKYLIGHT_SH_SUNS suns from `start` on: clamped inputs, azimuths, what light each leaves.
+   Returns the largest status; a sun of status 2 has no light. */
+static inline int skylight_sh_inputs_suns(const float *const inputs[SKYLIGHT_SH_AXES],
+                                          const float *azimuths, int start,
+                                          float x[SKYLIGHT_SH_AXES][SKYLIGHT_SH_SUNS],
+                                          float *azimuth, float *light)
+{
+    int axis, s, status = 0, strange = 0;
     for (s = 0; s < SKYLIGHT_SH_SUNS; ++s) {
-        float given[SKYLIGHT_SH_AXES], plus[SKYLIGHT_SH_BANDS], minus[SKYLIGHT_SH_BANDS];
-        float azimuth = azimuths ? azimuths[start + s] : SKYLIGHT_SH_AZIMUTH, radius = 1.0f;
-        int status;
-        for (i = 0; i < SKYLIGHT_SH_AXES; ++i) given[i] = inputs[i][start + s];
-        status = skylight_sh_inputs(given, azimuth, x[s]);
-        worst = status > worst ? status : worst;
+        azimuth[s] = azimuths ? azimuths[start + s] : SKYLIGHT_SH_AZIMUTH;
         light[s] = SKYLIGHT_SH_EXPOSURE;
-        if (status == 2) {
-            light[s] = azimuth = 0.0f;
-            for (i = 0; i < SKYLIGHT_SH_AXES; ++i) x[s][i] = skylight_sh_range[i][0];
+        strange |= skylight_sh_kind(azimuth[s]);
+    }
+    for (axis = 0; axis < SKYLIGHT_SH_AXES; ++axis) {
+        const float low = skylight_sh_range[axis][0], high = skylight_sh_range[axis][1];
+        for (s = 0; s < SKYLIGHT_SH_SUNS; ++s) {
+            const float v = inputs[axis][start + s], at_least = v < low ? low : v;
+            strange |= skylight_sh_kind(v);
+            status |= (v < skylight_sh_inside[axis][0]) | (v > skylight_sh_inside[axis][1]);
+            x[axis][s] = at_least > high ? high : at_least;
         }
+    }
+    if (strange) {
+        for (s = 0; s < SKYLIGHT_SH_SUNS; ++s) {
+            float given[SKYLIGHT_SH_AXES], clamped[SKYLIGHT_SH_AXES];
+            int found;
+            for (axis = 0; axis < SKYLIGHT_SH_AXES; ++axis) given[axis] = inputs[axis][start + s];
+            found = skylight_sh_inputs(given, azimuth[s], clamped);
+            if (found == 2) light[s] = azimuth[s] = 0.0f;
+            for (axis = 0; axis < SKYLIGHT_SH_AXES; ++axis)
+                x[axis][s] = found == 2 ? skylight_sh_range[axis][0] : clamped[axis];
+            status = found > status ? found : status;
+        }
+    }
 #if SKYLIGHT_SH_HAS_TWILIGHT
-        if (status != 2) light[s] *= skylight_sh_twilight(given[SKYLIGHT_SH_SUN]);
+    for (s = 0; s < SKYLIGHT_SH_SUNS; ++s)
+        if (light[s] != 0.0f) light[s] *= skylight_sh_twilight(inputs[SKYLIGHT_SH_SUN][start + s]);
 #endif
-#if SKYLIGHT_SH_HAS_PARITY
-        radius = skylight_sh_sine(x[s]);
-#endif
-        skylight_sh_waves(azimuth, radius, plus, minus);
-        for (m = 0; m < SKYLIGHT_SH_BANDS; ++m) {
-            cosines[m][s] = plus[m];
-            sines[m][s] = minus[m];
-        }
-    }
-    for (s = 0; s < SKYLIGHT_SH_SUNS; ++s) {
-        float first[SKYLIGHT_SH_FIRST], products[SKYLIGHT_SH_OTHERS];
-        skylight_sh_first(x[s], first);
-        skylight_sh_others(x[s], products);
-        u[s] = first[1];
-        for (i = 0; i < SKYLIGHT_SH_OTHERS; ++i) others[i][s] = products[i];
-    }
-    for (s = 0; s < SKYLIGHT_SH_SUNS; ++s) {
-#if SKYLIGHT_SH_IS_MIXED
-        float early[SKYLIGHT_SH_EARLY], found[SKYLIGHT_SH_FACTORS];
-        skylight_sh_begin_factors(x[s], early);
-        skylight_sh_end_factors(x[s], early, found);
-        for (i = 0; i < SKYLIGHT_SH_FACTORS; ++i) factors[i][s] = found[i] * light[s];
-#else
-        factors[0][s] = skylight_sh_scale(x[s]) * light[s];
-#endif
-    }
+    return status;
+}
+
+/* The sums of suns side by side: of each class and number of a row, over the products of the other
+   axes' functions, each times a polynomial in powers of u. */
+static inline void skylight_sh_sum_suns(
+    const skylight_sh_real *rows, const skylight_sh_lanes u[SKYLIGHT_SH_GROUPS],
+    skylight_sh_lanes others[SKYLIGHT_SH_GROUPS][SKYLIGHT_SH_OTHERS],
+    skylight_sh_lanes sums[SKYLIGHT_SH_CLASSES][SKYLIGHT_SH_WIDTH][SKYLIGHT_SH_GROUPS])
+{
+    int i, g, t;
     for (i = 0; i < SKYLIGHT_SH_WIDTH; ++i) {
-        const skylight_sh_lanes power = skylight_sh_load(u);
-        int t;
 #define SKYLIGHT_SH_CLASS(which, polynomials) \
     { \
-        skylight_sh_lanes total; \
-        polynomials sums[which][i] = total; \
+        skylight_sh_lanes total[SKYLIGHT_SH_GROUPS]; \
+        polynomials \
+        for (g = 0; g < SKYLIGHT_SH_GROUPS; ++g) sums[which][i][g] = total[g]; \
     }
-#define SKYLIGHT_SH_NOTHING total = skylight_sh_spread(0);
+#define SKYLIGHT_SH_NOTHING \
+    for (g = 0; g < SKYLIGHT_SH_GROUPS; ++g) total[g] = skylight_sh_spread(0);
 #define SKYLIGHT_SH_POLYNOMIAL(begin, count, other) \
     { \
         const float *term = rows + ((begin) + (count) - 1) * SKYLIGHT_SH_WIDTH + i; \
-        skylight_sh_lanes sum = skylight_sh_spread(*term); \
+        skylight_sh_lanes sum[SKYLIGHT_SH_GROUPS]; \
+        for (g = 0; g < SKYLIGHT_SH_GROUPS; ++g) sum[g] = skylight_sh_spread(*term); \
         for (t = 1; t < (count); ++t) { \
             term -= SKYLIGHT_SH_WIDTH; \
-            sum = skylight_sh_add(sum, power, skylight_sh_spread(*term)); \
+            for (g = 0; g < SKYLIGHT_SH_GROUPS; ++g) { \
+                skylight_sh_lanes v = skylight_sh_add(sum[g], u[g], skylight_sh_spread(*term)); \
+                SKYLIGHT_SH_IN_ORDER(v) \
+                sum[g] = v; \
+            } \
         } \
-        total = skylight_sh_add(sum, skylight_sh_load(others[other]), total); \
+        for (g = 0; g < SKYLIGHT_SH_GROUPS; ++g) \
+            total[g] = skylight_sh_add(sum[g], others[g][other], total[g]); \
     }
         SKYLIGHT_SH_POLYNOMIALS(SKYLIGHT_SH_CLASS, SKYLIGHT_SH_NOTHING, SKYLIGHT_SH_POLYNOMIAL)
 #undef SKYLIGHT_SH_CLASS
 #undef SKYLIGHT_SH_NOTHING
 #undef SKYLIGHT_SH_POLYNOMIAL
     }
+}
+
+/* The weights of SKYLIGHT_SH_SUNS suns from `start` on, a row a weight, rows `step` apart; returns the
+   largest status. */
+static inline int skylight_sh_evaluate_suns(const skylight_sh_real *rows,
+                                            const float *const inputs[SKYLIGHT_SH_AXES],
+                                            const float *azimuths, int start, float *out,
+                                            size_t step)
+{
+    static const short columns[SKYLIGHT_SH_BANDS] = SKYLIGHT_SH_COLUMNS;
+    float given[SKYLIGHT_SH_AXES][SKYLIGHT_SH_SUNS], azimuth[SKYLIGHT_SH_SUNS];
+    float light[SKYLIGHT_SH_SUNS], cosine[SKYLIGHT_SH_SUNS], sine[SKYLIGHT_SH_SUNS];
+    skylight_sh_lanes u[SKYLIGHT_SH_GROUPS], others[SKYLIGHT_SH_GROUPS][SKYLIGHT_SH_OTHERS];
+    skylight_sh_lanes factors[SKYLIGHT_SH_GROUPS][SKYLIGHT_SH_FACTORS];
+    skylight_sh_lanes cosines[SKYLIGHT_SH_GROUPS][SKYLIGHT_SH_BANDS];
+    skylight_sh_lanes sines[SKYLIGHT_SH_GROUPS][SKYLIGHT_SH_BANDS];
+    skylight_sh_lanes sums[SKYLIGHT_SH_CLASSES][SKYLIGHT_SH_WIDTH][SKYLIGHT_SH_GROUPS];
+    const int status = skylight_sh_inputs_suns(inputs, azimuths, start, given, azimuth, light);
+    int g, i, k, l, m, channel;
+    for (g = 0; g < SKYLIGHT_SH_GROUPS; ++g) {
+        const int at = g * SKYLIGHT_SH_LANES;
+        skylight_sh_lanes x[SKYLIGHT_SH_AXES], first[SKYLIGHT_SH_FIRST];
+        skylight_sh_lanes radius = skylight_sh_spread(1);
+        for (i = 0; i < SKYLIGHT_SH_AXES; ++i) x[i] = skylight_sh_load(given[i] + at);
+        skylight_sh_circle_suns(azimuth + at, cosine + at, sine + at);
+#if SKYLIGHT_SH_HAS_PARITY
+        radius = skylight_sh_sine_suns(x);
+#endif
+        skylight_sh_waves_suns(skylight_sh_load(cosine + at), skylight_sh_load(sine + at), radius,
+                               cosines[g], sines[g]);
+        skylight_sh_first_suns(x, first);
+        u[g] = first[1];
+        skylight_sh_others_suns(x, others[g]);
+        skylight_sh_factors_suns(x, factors[g]);
+        for (i = 0; i < SKYLIGHT_SH_FACTORS; ++i) factors[g][i] *= skylight_sh_load(light + at);
+    }
+    skylight_sh_sum_suns(rows, u, others, sums);
     for (channel = 0; channel < SKYLIGHT_SH_CHANNELS; ++channel) {
         for (l = 0; l < SKYLIGHT_SH_BANDS; ++l) {
-            float(*const w)[SKYLIGHT_SH_SUNS] = out + channel * SKYLIGHT_SH_WEIGHTS + l * (l + 1);
+            float *const w = out + (size_t)(channel * SKYLIGHT_SH_WEIGHTS + l * (l + 1)) * step;
             for (m = 0; m <= l; ++m) {
-                skylight_sh_lanes v = skylight_sh_spread(0);
-                if (columns[l] >= 0) {
+                for (g = 0; g < SKYLIGHT_SH_GROUPS; ++g) {
+                    skylight_sh_lanes v = skylight_sh_spread(0), turned;
+                    if (columns[l] >= 0) {
 #if SKYLIGHT_SH_IS_MIXED
-                    for (k = 0; k < SKYLIGHT_SH_CLASSES; ++k)
-                        v = skylight_sh_add(
-                            skylight_sh_load(factors[channel * SKYLIGHT_SH_CLASSES + k]),
-                            sums[k][columns[l] + m], v);
+                        for (k = 0; k < SKYLIGHT_SH_CLASSES; ++k)
+                            v = skylight_sh_add(factors[g][SKYLIGHT_SH_FACTOR(channel, k)],
+                                                sums[k][columns[l] + m][g], v);
 #else
-                    v = skylight_sh_load(factors[0]) * sums[channel][columns[l] + m];
+                        v = factors[g][0] * sums[channel][columns[l] + m][g];
 #endif
-                }
-                {
-                    const skylight_sh_lanes plus = v * skylight_sh_load(cosines[m]);
-                    const skylight_sh_lanes minus = v * skylight_sh_load(sines[m]);
-                    memcpy(w[-m], &minus, sizeof minus);
-                    memcpy(w[m], &plus, sizeof plus);
+                    }
+                    turned = v * sines[g][m];
+                    memcpy(w - (size_t)m * step + g * SKYLIGHT_SH_LANES, &turned, sizeof turned);
+                    turned = v * cosines[g][m];
+                    memcpy(w + (size_t)m * step + g * SKYLIGHT_SH_LANES, &turned, sizeof turned);
                 }
             }
         }
     }
     (void)k;
-    return worst;
+    return status;
+}
+
+/* Four rows of four numbers to columns, `step` apart. */
+static inline void skylight_sh_transpose(const float *from, size_t step, float *to, size_t between)
+{
+    const skylight_sh_four a = skylight_sh_load_four(from), b = skylight_sh_load_four(from + step);
+    const skylight_sh_four c = skylight_sh_load_four(from + 2 * step);
+    const skylight_sh_four d = skylight_sh_load_four(from + 3 * step);
+    const skylight_sh_four ab = SKYLIGHT_SH_PICK(a, b, 0, 4, 1, 5);
+    const skylight_sh_four cd = SKYLIGHT_SH_PICK(c, d, 0, 4, 1, 5);
+    const skylight_sh_four ab_2 = SKYLIGHT_SH_PICK(a, b, 2, 6, 3, 7);
+    const skylight_sh_four cd_2 = SKYLIGHT_SH_PICK(c, d, 2, 6, 3, 7);
+    skylight_sh_keep(to, SKYLIGHT_SH_PICK(ab, cd, 0, 1, 4, 5));
+    skylight_sh_keep(to + between, SKYLIGHT_SH_PICK(ab, cd, 2, 3, 6, 7));
+    skylight_sh_keep(to + 2 * between, SKYLIGHT_SH_PICK(ab_2, cd_2, 0, 1, 4, 5));
+    skylight_sh_keep(to + 3 * between, SKYLIGHT_SH_PICK(ab_2, cd_2, 2, 3, 6, 7));
 }
 #endif
 #endif
+
+/* Numbers of one sun's weights. */
+#define SKYLIGHT_SH_NUMBERS (SKYLIGHT_SH_CHANNELS * SKYLIGHT_SH_WEIGHTS)
 
 /* Evaluates `count` suns from arrays, one an axis, and one of azimuths (or none, where the table
    fixes it); returns the largest status. */
@@ -132,8 +217,25 @@ static inline int skylight_sh_evaluate_batch(
     const skylight_sh_real *rows, int count, const float *const inputs[SKYLIGHT_SH_AXES],
     const float *azimuths, float (*weights)[SKYLIGHT_SH_CHANNELS][SKYLIGHT_SH_WEIGHTS])
 {
-    int s, status, worst = 0;
-    for (s = 0; s < count; ++s) {
+    int s = 0, status, worst = 0;
+#if SKYLIGHT_SH_HAS_WIDE
+#ifdef SKYLIGHT_SH_SUNS
+    for (; s + SKYLIGHT_SH_SUNS <= count; s += SKYLIGHT_SH_SUNS) {
+        float out[SKYLIGHT_SH_NUMBERS * SKYLIGHT_SH_SUNS];
+        int i, k;
+        status = skylight_sh_evaluate_suns(rows, inputs, azimuths, s, out, SKYLIGHT_SH_SUNS);
+        worst = status > worst ? status : worst;
+        /* In fours; the last may overlap those before. */
+        for (i = 0; i < SKYLIGHT_SH_NUMBERS; i += 4) {
+            const int at = i + 4 > SKYLIGHT_SH_NUMBERS ? SKYLIGHT_SH_NUMBERS - 4 : i;
+            for (k = 0; k < SKYLIGHT_SH_SUNS; k += 4)
+                skylight_sh_transpose(out + at * SKYLIGHT_SH_SUNS + k, SKYLIGHT_SH_SUNS,
+                                      &weights[s + k][0][0] + at, SKYLIGHT_SH_NUMBERS);
+        }
+    }
+#endif
+#endif
+    for (; s < count; ++s) {
         status = skylight_sh_evaluate_one(rows, inputs, azimuths, s, weights[s]);
         worst = status > worst ? status : worst;
     }
@@ -149,12 +251,22 @@ static inline int skylight_sh_evaluate_columns(const skylight_sh_real *rows, int
     int s = 0, i, status, worst = 0;
 #if SKYLIGHT_SH_HAS_WIDE
 #ifdef SKYLIGHT_SH_SUNS
-    for (; s + SKYLIGHT_SH_SUNS <= count; s += SKYLIGHT_SH_SUNS) {
-        float out[SKYLIGHT_SH_CHANNELS * SKYLIGHT_SH_WEIGHTS][SKYLIGHT_SH_SUNS];
-        status = skylight_sh_evaluate_suns(rows, inputs, azimuths, s, out);
-        worst = status > worst ? status : worst;
-        for (i = 0; i < SKYLIGHT_SH_CHANNELS * SKYLIGHT_SH_WEIGHTS; ++i)
+#if SKYLIGHT_SH_LANES == 8
+    /* Four times as many at once: rows far apart cost time for each visit, not for what is stored. */
+    for (; s + 4 * SKYLIGHT_SH_SUNS <= count; s += 4 * SKYLIGHT_SH_SUNS) {
+        float out[SKYLIGHT_SH_NUMBERS][4 * SKYLIGHT_SH_SUNS];
+        for (i = 0; i < 4; ++i) {
+            status = skylight_sh_evaluate_suns(rows, inputs, azimuths, s + i * SKYLIGHT_SH_SUNS,
+                                               out[0] + i * SKYLIGHT_SH_SUNS, 4 * SKYLIGHT_SH_SUNS);
+            worst = status > worst ? status : worst;
+        }
+        for (i = 0; i < SKYLIGHT_SH_NUMBERS; ++i)
             memcpy(weights + (size_t)i * step + (size_t)s, out[i], sizeof out[i]);
+    }
+#endif
+    for (; s + SKYLIGHT_SH_SUNS <= count; s += SKYLIGHT_SH_SUNS) {
+        status = skylight_sh_evaluate_suns(rows, inputs, azimuths, s, weights + s, step);
+        worst = status > worst ? status : worst;
     }
 #endif
 #endif
@@ -167,7 +279,7 @@ static inline int skylight_sh_evaluate_columns(const skylight_sh_real *rows, int
             status = skylight_sh_evaluate_one(rows, inputs, azimuths, s + k, some[k]);
             worst = status > worst ? status : worst;
         }
-        for (i = 0; i < SKYLIGHT_SH_CHANNELS * SKYLIGHT_SH_WEIGHTS; ++i)
+        for (i = 0; i < SKYLIGHT_SH_NUMBERS; ++i)
             for (k = 0; k < now; ++k)
                 weights[(size_t)i * step + (size_t)(s + k)] =
                     some[k][i / SKYLIGHT_SH_WEIGHTS][i % SKYLIGHT_SH_WEIGHTS];

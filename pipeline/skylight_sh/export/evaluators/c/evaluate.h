@@ -81,11 +81,8 @@ static inline int skylight_sh_evaluate(const skylight_sh_real *rows,
     skylight_sh_real x[SKYLIGHT_SH_AXES], first[SKYLIGHT_SH_FIRST], others[SKYLIGHT_SH_OTHERS];
     skylight_sh_real cosines[SKYLIGHT_SH_BANDS], sines[SKYLIGHT_SH_BANDS];
     skylight_sh_real sums[SKYLIGHT_SH_CLASSES][SKYLIGHT_SH_ROOM];
-    skylight_sh_real factors[SKYLIGHT_SH_CHANNELS * SKYLIGHT_SH_CLASSES];
-    skylight_sh_real light = SKYLIGHT_SH_EXPOSURE, radius = 1;
-#if SKYLIGHT_SH_IS_MIXED
-    skylight_sh_real early[SKYLIGHT_SH_EARLY];
-#endif
+    skylight_sh_real factors[SKYLIGHT_SH_FACTORS];
+    skylight_sh_real light = SKYLIGHT_SH_EXPOSURE, radius = 1, cosine, sine;
     int i, all, status = skylight_sh_inputs(inputs, azimuth, x);
     if (status == 2) {
         memset(weights, 0, sizeof(float) * SKYLIGHT_SH_CHANNELS * SKYLIGHT_SH_WEIGHTS);
@@ -98,17 +95,19 @@ static inline int skylight_sh_evaluate(const skylight_sh_real *rows,
 #if SKYLIGHT_SH_HAS_TWILIGHT
     light *= skylight_sh_twilight(inputs[SKYLIGHT_SH_SUN]);
 #endif
-    /* First what the library computes: calls keep no registers. */
+    skylight_sh_circle((skylight_sh_real)azimuth, &cosine, &sine);
 #if SKYLIGHT_SH_HAS_PARITY
     radius = skylight_sh_sine(x);
 #endif
-    skylight_sh_waves((skylight_sh_real)azimuth, radius, cosines, sines);
+    skylight_sh_waves(cosine, sine, radius, cosines, sines);
     skylight_sh_first(x, first);
     skylight_sh_others(x, others);
 #if SKYLIGHT_SH_IS_MIXED
-    skylight_sh_begin_factors(x, early);
+    skylight_sh_factors(x, factors);
+    for (i = 0; i < SKYLIGHT_SH_FACTORS; ++i) factors[i] *= light;
 #else
-    light *= skylight_sh_scale(x);
+    skylight_sh_factors(x, factors);
+    light *= factors[0];
     for (i = 0; i < SKYLIGHT_SH_OTHERS; ++i) others[i] *= light;
     factors[0] = light;
 #endif
@@ -122,18 +121,9 @@ static inline int skylight_sh_evaluate(const skylight_sh_real *rows,
     if (!rows) skylight_sh_sum_stream(first, others, all, sums);
     if (rows)
 #endif
-        skylight_sh_sum_class(rows, 0, first, others, all, sums[0]);
-#if SKYLIGHT_SH_IS_MIXED
-    /* Between sums: what has begun above waits for itself, and there is more to do meanwhile. */
-    skylight_sh_end_factors(x, early, factors);
-    for (i = 0; i < SKYLIGHT_SH_CHANNELS * SKYLIGHT_SH_CLASSES; ++i) factors[i] *= light;
-#endif
-#if !SKYLIGHT_SH_HAS_ROWS
-    if (rows)
-#endif
     {
 #define SKYLIGHT_SH_CLASS(k) skylight_sh_sum_class(rows, k, first, others, all, sums[k]);
-        SKYLIGHT_SH_OTHER_CLASSES(SKYLIGHT_SH_CLASS)
+        SKYLIGHT_SH_ALL_CLASSES(SKYLIGHT_SH_CLASS)
 #undef SKYLIGHT_SH_CLASS
     }
     skylight_sh_store(sums, factors, cosines, sines, all, weights);

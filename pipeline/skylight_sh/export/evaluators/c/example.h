@@ -12,6 +12,7 @@
 #define SKYLIGHT_SH_HAS_TRANSFER 1
 #define SKYLIGHT_SH_IS_MIRRORED 1
 #define SKYLIGHT_SH_IS_SINGLE 1
+#include "vectors.h"
 #define SKYLIGHT_SH_VERSION "0.1.0"
 #define SKYLIGHT_SH_BANDS 3
 #define SKYLIGHT_SH_WEIGHTS 9
@@ -46,8 +47,11 @@ static const skylight_sh_real skylight_sh_range[SKYLIGHT_SH_AXES][2] = { { 0.0f,
 /* Classes; a row's numbers, one a sum, and those of the first 1, 2, ..
    bands; room for a class's sums. */
 #define SKYLIGHT_SH_CLASSES 3
-#define SKYLIGHT_SH_OTHER_CLASSES(CLASS) CLASS(1) CLASS(2)
+#define SKYLIGHT_SH_ALL_CLASSES(CLASS) CLASS(0) CLASS(1) CLASS(2)
+/* What multiplies the sum of a class for a channel; the channels side by
+   side, in fours. */
 #define SKYLIGHT_SH_FACTORS 1
+#define SKYLIGHT_SH_FACTOR(channel, class_) ((class_) * 4 + (channel))
 #define SKYLIGHT_SH_WIDTH 6
 #define SKYLIGHT_SH_WIDTHS { 1, 3, 6 }
 #define SKYLIGHT_SH_ROOM 16
@@ -79,6 +83,7 @@ static const skylight_sh_real skylight_sh_range[SKYLIGHT_SH_AXES][2] = { { 0.0f,
 
 /* Of each class, a row a term (functions of the other axes, then of the
    first): its number for every sum. */
+SKYLIGHT_SH_ALIGNED
 static const skylight_sh_real skylight_sh_rows[226] = {
     0.335605919f, 2.48176026f, -0.100196339f, -0.885888755f, 0.683635235f, 1.80332017f,
     0.171109587f, -0.778772652f, 0.00668307859f, 0.572662771f, -0.680465996f, -0.3431153f,
@@ -183,7 +188,7 @@ static const unsigned char skylight_sh_stream[424] = {
 };
 
 /* What all weights share: the closed form preetham_zenith. */
-static inline skylight_sh_real skylight_sh_scale(const skylight_sh_real *x)
+static inline void skylight_sh_factors(const skylight_sh_real *x, skylight_sh_real *out)
 {
     const float chi = (0.444444448f - x[1] * 0.00833333377f) * (3.14159274f - 2.0f * x[0]);
     const float square = chi * chi;
@@ -206,8 +211,9 @@ static inline skylight_sh_real skylight_sh_scale(const skylight_sh_real *x)
     const float e = (-0.0670000017f) * x[1] + 0.370299995f;
     const float z = x[0] * x[0];
     const float cosine = 1.0f - z * (0.5f - z * (0.0416666679f - z * 0.00138888892f));
-    return 1000.0f * zenith / (tan_below * (1.0f + a * up4) * (1.0f + c * halo8 + e * (cosine *
+    out[0] = 1000.0f * zenith / (tan_below * (1.0f + a * up4) * (1.0f + c * halo8 + e * (cosine *
         cosine)));
+    (void)x;
 }
 
 /* The functions of sun_zenith (change of variable: reciprocal); 0 where
@@ -220,8 +226,8 @@ static inline void skylight_sh_first(const skylight_sh_real *x, skylight_sh_real
     out[3] = 2.0f * out[1] * out[2] - out[1];
     out[4] = 2.0f * out[2] * out[2] - 1.0f;
     out[5] = 2.0f * out[2] * out[3] - out[1];
-    out[6] = 0;
-    out[7] = 0;
+    out[6] = 0.0f;
+    out[7] = 0.0f;
     (void)x;
 }
 
@@ -236,15 +242,25 @@ static inline void skylight_sh_others(const skylight_sh_real *x, skylight_sh_rea
 
 /* cos(m azimuth) and sin(m azimuth), m < bands, each times the m-th power
    of `radius`, by doubling. */
-static inline void skylight_sh_waves(skylight_sh_real azimuth, skylight_sh_real radius,
-    skylight_sh_real *cosines, skylight_sh_real *sines)
+static inline void skylight_sh_waves(skylight_sh_real cosine, skylight_sh_real sine,
+    skylight_sh_real radius, skylight_sh_real *cosines, skylight_sh_real *sines)
 {
     cosines[0] = 1.0f;
-    cosines[1] = radius * cosf(azimuth);
-    sines[1] = radius * sinf(azimuth);
+    cosines[1] = radius * cosine;
+    sines[1] = radius * sine;
     cosines[2] = cosines[1] * cosines[1] - sines[1] * sines[1];
     sines[0] = 0.0f;
     sines[2] = sines[1] * cosines[1] + cosines[1] * sines[1];
+}
+
+/* Cosine and sine of an angle of at most an eighth of a turn. */
+static inline void skylight_sh_quarter(skylight_sh_real angle, skylight_sh_real *out)
+{
+    const float part_1 = angle * angle;
+    out[0] = 1.0f - 0.5f * part_1 + part_1 * part_1 * (0.0416666456f + part_1 * ((-0.00138873665f) +
+        part_1 * 2.44383464e-05f));
+    out[1] = angle + angle * (part_1 * ((-0.166666552f) + part_1 * (0.0083321603f + part_1 *
+        (-0.00019515281f))));
 }
 
 /* The zonal window's factor for the degree `share` * bands (Habel et al.

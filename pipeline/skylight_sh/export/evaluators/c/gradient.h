@@ -42,7 +42,7 @@ static inline double skylight_sh_mixed_double(double sums[SKYLIGHT_SH_CLASSES][S
     double sum = 0.0;
     int k;
     for (k = 0; k < SKYLIGHT_SH_CLASSES; ++k)
-        sum += factors[channel * SKYLIGHT_SH_CLASSES + k] * sums[k][column];
+        sum += factors[SKYLIGHT_SH_FACTOR(channel, k)] * sums[k][column];
     return sum;
 #else
     return factors[0] * sums[channel][column];
@@ -63,7 +63,7 @@ static inline int skylight_sh_evaluate_gradient(
     double sums[SKYLIGHT_SH_CLASSES][SKYLIGHT_SH_WIDTH];
     double sloped[SKYLIGHT_SH_CLASSES][SKYLIGHT_SH_WIDTH];
     double powers[SKYLIGHT_SH_BANDS], power_slopes[SKYLIGHT_SH_BANDS];
-    skylight_sh_real cosines[SKYLIGHT_SH_BANDS], sines[SKYLIGHT_SH_BANDS];
+    skylight_sh_real cosines[SKYLIGHT_SH_BANDS], sines[SKYLIGHT_SH_BANDS], cosine, sine;
     int axis, channel, i, l, m, sunk = 0;
     const int status =
         skylight_sh_evaluate(rows, inputs, azimuth, SKYLIGHT_SH_BANDS, weights);
@@ -112,7 +112,8 @@ static inline int skylight_sh_evaluate_gradient(
         for (i = 0; i < SKYLIGHT_SH_MOST; ++i) slopes[SKYLIGHT_SH_SUN][i] = 0.0;
     }
 #endif
-    skylight_sh_waves((skylight_sh_real)azimuth, 1, cosines, sines);
+    skylight_sh_circle((skylight_sh_real)azimuth, &cosine, &sine);
+    skylight_sh_waves(cosine, sine, 1, cosines, sines);
     skylight_sh_sum_double(rows, functions, sums);
     for (axis = 0; axis < SKYLIGHT_SH_AXES; ++axis) {
         double kept[SKYLIGHT_SH_MOST];

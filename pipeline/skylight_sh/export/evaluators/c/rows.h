@@ -11,6 +11,13 @@
 #endif
 #if SKYLIGHT_SH_HAS_POWERS
 #ifdef SKYLIGHT_SH_LANES
+/* All columns at once, as written: gcc would sum one after the other, each step waiting for the one
+   before. */
+#if defined(__GNUC__) && !defined(__clang__) && defined(__SSE__)
+#define SKYLIGHT_SH_IN_ORDER(v) __asm__("" : "+x"(v));
+#else
+#define SKYLIGHT_SH_IN_ORDER(v)
+#endif
 
 /* One class's sums, for SKYLIGHT_SH_BLOCK vectors of each row: over the products of the other axes'
    functions, each times a polynomial in powers of u, by Horner's scheme. */
@@ -38,9 +45,12 @@ SKYLIGHT_SH_INLINE void skylight_sh_sum_block(const skylight_sh_real *rows, int 
             sum[k] = skylight_sh_load(term + k * SKYLIGHT_SH_LANES); \
         for (i = 1; i < (count); ++i) { \
             term -= SKYLIGHT_SH_WIDTH; \
-            for (k = 0; k < SKYLIGHT_SH_BLOCK; ++k) \
-                sum[k] = skylight_sh_add(sum[k], power, \
-                                         skylight_sh_load(term + k * SKYLIGHT_SH_LANES)); \
+            for (k = 0; k < SKYLIGHT_SH_BLOCK; ++k) { \
+                skylight_sh_lanes v = skylight_sh_load(term + k * SKYLIGHT_SH_LANES); \
+                v = skylight_sh_add(sum[k], power, v); \
+                SKYLIGHT_SH_IN_ORDER(v) \
+                sum[k] = v; \
+            } \
         } \
         for (k = 0; k < SKYLIGHT_SH_BLOCK; ++k) SKYLIGHT_SH_TOTAL(k) \
     }

@@ -1,5 +1,5 @@
 #pragma once
-#include "vectors.h"
+#include "circle.h"
 
 /* One channel's sums, from those of its classes. */
 static inline void skylight_sh_mix(skylight_sh_real sums[SKYLIGHT_SH_CLASSES][SKYLIGHT_SH_ROOM],
@@ -10,10 +10,10 @@ static inline void skylight_sh_mix(skylight_sh_real sums[SKYLIGHT_SH_CLASSES][SK
 #if SKYLIGHT_SH_IS_MIXED
     int k;
     for (i = 0; i < SKYLIGHT_SH_WIDTH; ++i)
-        mixed[i] = factors[channel * SKYLIGHT_SH_CLASSES] * sums[0][i];
+        mixed[i] = factors[SKYLIGHT_SH_FACTOR(channel, 0)] * sums[0][i];
     for (k = 1; k < SKYLIGHT_SH_CLASSES; ++k)
         for (i = 0; i < SKYLIGHT_SH_WIDTH; ++i)
-            mixed[i] += factors[channel * SKYLIGHT_SH_CLASSES + k] * sums[k][i];
+            mixed[i] += factors[SKYLIGHT_SH_FACTOR(channel, k)] * sums[k][i];
 #else
     for (i = 0; i < SKYLIGHT_SH_WIDTH; ++i) mixed[i] = sums[channel][i];
     (void)factors;
@@ -55,10 +55,10 @@ static inline void skylight_sh_store(
         for (q = 0; q < SKYLIGHT_SH_FOURS; ++q) {
 #if SKYLIGHT_SH_IS_MIXED
             int k;
-            v[q] = factors[channel * SKYLIGHT_SH_CLASSES] * skylight_sh_load_four(sums[0] + 4 * q);
+            v[q] = factors[SKYLIGHT_SH_FACTOR(channel, 0)] * skylight_sh_load_four(sums[0] + 4 * q);
             for (k = 1; k < SKYLIGHT_SH_CLASSES; ++k)
                 v[q] = skylight_sh_add_four(
-                    skylight_sh_spread_four(factors[channel * SKYLIGHT_SH_CLASSES + k]),
+                    skylight_sh_spread_four(factors[SKYLIGHT_SH_FACTOR(channel, k)]),
                     skylight_sh_load_four(sums[k] + 4 * q), v[q]);
 #else
             v[q] = skylight_sh_load_four(sums[channel] + 4 * q);

@@ -1,5 +1,5 @@
 #pragma once
-#include "inputs.h"
+#include "linkage.h"
 
 /* Numbers side by side where the compiler has vector types: as many as the processor's registers
    hold, and four. */
@@ -15,11 +15,13 @@
 #endif
 #endif
 #endif
-/* What is worth its place in every caller. */
+/* What is worth its place in every caller; what lies at the start of a cache line. */
 #ifdef __GNUC__
 #define SKYLIGHT_SH_INLINE static inline __attribute__((always_inline))
+#define SKYLIGHT_SH_ALIGNED __attribute__((aligned(64)))
 #else
 #define SKYLIGHT_SH_INLINE static inline
+#define SKYLIGHT_SH_ALIGNED
 #endif
 #ifdef SKYLIGHT_SH_LANES
 #ifdef __FMA__
@@ -78,6 +80,23 @@ static inline skylight_sh_four skylight_sh_add_four(skylight_sh_four a, skylight
 #else
     return a * b + c;
 #endif
+}
+
+/* Numbers side by side; where there are fewer than four, the last again. */
+static inline skylight_sh_four skylight_sh_quadruple(float a, float b, float c, float d)
+{
+    const skylight_sh_four v = {a, b, c, d};
+    return v;
+}
+
+static inline skylight_sh_four skylight_sh_triple(float a, float b, float c)
+{
+    return skylight_sh_quadruple(a, b, c, c);
+}
+
+static inline skylight_sh_four skylight_sh_pair(float a, float b)
+{
+    return skylight_sh_quadruple(a, b, b, b);
 }
 
 static inline void skylight_sh_keep(float *to, skylight_sh_four v)
