@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -16,6 +17,7 @@ from skylight_sh.studies import single_fit
 from skylight_sh.studies.grid_samples import Samples
 from skylight_sh.studies.page import Row, Section
 from skylight_sh.studies.stability import rounding, wide
+from skylight_sh.table import prefactor
 from skylight_sh.table.packed import lengths_of
 from skylight_sh.table.table import whole
 
@@ -31,10 +33,10 @@ TABLES = (
     "A channel's weight is a sum over classes, each a factor times a polynomial. `parts` is the sum of the shares' "
     "magnitudes over the sum's, as norms over all weights of a set and channel; 1 is no cancellation, and its base-2 "
     "logarithm is how many bits are lost. `float32`: the largest E_mean that the table's own arithmetic adds to its "
-    "polynomials in double precision; the bound follows every operation's rounding to the result. `steps`: the whole fit "
-    "with the terms that the packed table keeps, each coefficient rounded to the nearest multiple of its step; `expected` "
-    "is of roundings that know nothing of each other, the bound of half a step in each, all the worst way round. All as "
-    "E_mean, on random sets and corners."
+    "polynomials in double precision, and `factors` what the factors alone add; the bound follows every operation's "
+    "rounding to the result. `steps`: the whole fit with the terms that the packed table keeps, each coefficient rounded to "
+    "the nearest multiple of its step; `expected` is of roundings that know nothing of each other, the bound of half a step "
+    "in each, all the worst way round. All as E_mean, on random sets and corners."
 )
 WEIGHTS = (
     "The recommended table's weights one by one: the RMS over sets of their parts without signs over the RMS of the weight, "
@@ -84,6 +86,7 @@ def _of_table(samples: Samples, name: str, table: Table, published: float) -> li
     larger = amplification(parts)
     single = norms(np.asarray(table.evaluate(sets) - parts.weights, dtype=np.float64)) / least[:, np.newaxis]
     bound = norms(rounding.bound(table, sets)) / least[:, np.newaxis]
+    alone = norms(_by_factors(table, sets, parts)) / least[:, np.newaxis]
     steps = rounded_to_steps(samples, table, sets) if isinstance(table.body, Packed) else None
     rows: list[Row] = []
     for c, channel in enumerate(table.channels):
@@ -94,6 +97,7 @@ def _of_table(samples: Samples, name: str, table: Table, published: float) -> li
             "parts, largest": float(larger[:, c].max()),
             "bits lost": float(np.log2(larger[:, c].max())),
             "float32": float(single[:, c].max()),
+            "factors": float(alone[:, c].max()),
             "float32 bound": float(bound[:, c].max()),
         }
         row |= {f"steps{key}": float(found[:, c].max()) if steps else None for key, found in (steps or _NO_STEPS).items()}
@@ -112,6 +116,12 @@ _NO_STEPS: Mapping[str, Array] = dict.fromkeys(("", " expected", " bound"), np.z
 
 def _sets(samples: Samples, table: Table) -> Array:
     return wide.in_single(table, samples.reference.parameters)
+
+
+def _by_factors(table: Table, sets: Array, parts: wide.Parts) -> Array:
+    """Return how far weights are off by factors in single precision alone, ``(n, channels, count)``."""
+    rounded = prefactor.evaluate(table.spec.scale, sets.astype(np.float32)).astype(np.float64)
+    return replace(parts, factors=rounded.reshape(parts.factors.shape)).weights - parts.weights
 
 
 def rounded_to_steps(samples: Samples, table: Table, sets: Array) -> dict[str, Array]:

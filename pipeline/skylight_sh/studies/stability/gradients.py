@@ -6,7 +6,7 @@ import itertools
 import subprocess
 import tempfile
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -65,12 +65,13 @@ class Compared:
 
 
 def section(tables: Mapping[str, Table]) -> Section:
-    """Measure every table with parity that twilight does not extend; no rows where there is none."""
+    """Measure every table with parity, without its twilight; no rows where there is none."""
     found: dict[tuple[str, str], list[tuple[str, Compared]]] = {}
     with tempfile.TemporaryDirectory() as folder:
         for name, table in tables.items():
-            if table.spec.parity and table.spec.azimuth is None and not table.spec.twilight:
-                for one in compared(table, Path(folder)):
+            if table.spec.parity and table.spec.azimuth is None:
+                by_day = replace(table, spec=replace(table.spec, twilight=None))
+                for one in compared(by_day, Path(folder)):
                     found.setdefault((one.after, one.where), []).append((name, one))
     rows: list[Row] = []
     for (after, where), each in found.items():
@@ -83,7 +84,7 @@ def section(tables: Mapping[str, Table]) -> Section:
 
 
 def compared(table: Table, place: Path) -> Iterator[Compared]:
-    """Hold a table's derivatives in C, compiled in ``place``, against complex steps: after each axis, at each place."""
+    """Hold the derivatives in C, compiled in ``place``, of a table without twilight against complex steps: axis by axis."""
     held = _held(table)
     program = _program(table, place)
     groups = {name: wide.in_single(table, sets) for name, sets in _places(table).items()}
