@@ -19,7 +19,7 @@ from skylight_sh.formula.sine import SHORT_SINE
 from skylight_sh.runtime import ClassRows, Packed, Program, Table, orders_of
 from skylight_sh.studies import compiled, single_fit
 from skylight_sh.studies.grid_samples import Samples, sample
-from skylight_sh.studies.stability import cancellation, decoded, gradients, rounding, wide, zenith
+from skylight_sh.studies.stability import cancellation, decoded, gradients, rounding, turning, wide, zenith
 from skylight_sh.studies.stability.flavours import flavours
 from skylight_sh.table.table import small
 
@@ -229,6 +229,25 @@ def test_powers_of_the_sine(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> 
     assert all(row["holds"] == "no" for row in wrong if row["in"] == "Python" and row["zenith angle"] != 0.0)
     # The changed weight is that of order 0, which stands at the zenith too.
     assert all(row["holds"] == "no" for row in wrong if row["in"] == "C")
+
+
+def test_waves_of_the_azimuth(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    rows = turning.waves(7, tmp_path)
+    assert [row["holds"] for row in rows] == ["yes"] * len(rows)
+    # In C no bound is so wide that errors are nowhere near.
+    assert (
+        max(float(str(row["error of m = 1"])) / float(str(row["bound of m = 1"])) for row in rows if row["in"] == "C") > 0.3
+    )
+
+    def turned(weights: NDArray[np.floating], azimuth: NDArray[np.floating]) -> NDArray[np.floating]:
+        return rotate(weights, azimuth * (1.0 + 2.0**-20))
+
+    rotate = runtime.rotate_azimuth
+    monkeypatch.setattr(runtime, "rotate_azimuth", turned)
+    changed(monkeypatch, off)
+    wrong = turning.waves(7, tmp_path)
+    assert all(row["holds"] == "no" for row in wrong if row["in"] == "C")
+    assert sum(row["holds"] == "no" for row in wrong if row["in"] == "Python") >= len(wrong) // 2 - 2
 
 
 def test_the_header_s_sine_is_bounded_by_its_operations() -> None:

@@ -10,12 +10,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cache
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from skylight_sh.formula.sine import SHORT_END, SHORT_SINE
+from skylight_sh.formula.sine import QUARTER, SHORT_END, SHORT_SINE
 from skylight_sh.runtime import Program, Table, orders_of
 from skylight_sh.studies.stability import wide
 
@@ -121,6 +122,30 @@ def sine_of_header(table: Table, angles: Array) -> Array:
                 polynomial = wide.run(SHORT_SINE, [np.array([mpmath.mpf(angle)], dtype=object)])[0][0]
                 found[i] = float(abs(polynomial - sine) / sine) / UNIT + rounded[i] / float(sine)
     return found
+
+
+@cache
+def circle_of_header() -> float:
+    """Return how far an azimuth's cosine and sine in the header may be off together, in units of ``UNIT``.
+
+    The library's, for large azimuths, are within a unit in the last place each, which is less.
+    """
+    import mpmath
+
+    # An eighth of a turn, and as much more as the quarter that is nearest in single precision may be off.
+    angles = np.linspace(0.0, np.pi / 4 + 1e-6, 401)[1:]
+    steps = len(QUARTER.steps)
+    # What is left of the azimuth is itself rounded.
+    slopes = np.zeros((steps + 1, angles.size))
+    slopes[steps] = angles
+    rounded = largest(traced(QUARTER, [Traced(angles, slopes)]))
+    distance = np.zeros_like(rounded)
+    with mpmath.workdps(_DIGITS):
+        for i, angle in enumerate(angles.tolist()):
+            given = np.array([mpmath.mpf(angle)], dtype=object)
+            cosine, sine = (one[0] for one in wide.run(QUARTER, [given]))
+            distance[:, i] = float(abs(cosine - mpmath.cos(angle))), float(abs(sine - mpmath.sin(angle)))
+    return float(np.linalg.norm(rounded + distance / UNIT, axis=0).max())
 
 
 def bound(table: Table, values: Array, *, sine: float = 1.0, horner: bool = False) -> Array:

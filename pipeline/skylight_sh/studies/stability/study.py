@@ -14,6 +14,7 @@ from skylight_sh.studies.stability import (
     harmonics,
     noise,
     schemes,
+    turning,
     winners,
     zenith,
 )
@@ -33,6 +34,7 @@ STABILITY = Study(
         lambda on: edges.section(on.samples, on.recommended),
         lambda on: cancellation.sections(on.samples, on.recommended, on.tables, on.published),
         lambda on: zenith.sections(on.recommended, on.tables),
+        lambda on: turning.section(on.recommended),
         lambda on: decoded.section(on.tables),
         lambda on: gradients.section(on.tables),
         lambda on: winners.second_verification(on.samples, on.tables, on.published),

@@ -23,8 +23,6 @@ FLAGS = ("-O2", "-ffp-contract=off")
 _ANGLES = (0.0, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.1, 0.3, 1.0)
 _NEAR = 40
 _AZIMUTHS = np.linspace(-np.pi, np.pi, 13)
-# Of the library's sine and cosine: one unit in the last place, two roundings.
-_LIBRARY = 2.0
 _DIGITS = 60
 POWERS = (
     "sin^m of the sun's zenith angle, m up to the recommended table's, as the C header and the Python runtime have it, from "
@@ -187,8 +185,10 @@ def _limits(table: Table, *, horner: bool) -> list[Array]:
         there = _beside(table, angle)
         sine = float(rounding.sine_of_header(table, there[:, _peak(table)]).max()) if horner else 1.0
         rounded = own + rounding.bound(table, there, sine=sine, horner=horner)
-        # Waves of the azimuth: sine and cosine, and two operations more a product of two waves (Higham 2002, section 3.6).
-        waves = rounding.UNIT * (orders * (_LIBRARY + 1.0) + 2.0 * np.sqrt(2.0) * np.maximum(orders - 1, 0) + 1.0)
+        # Waves of the azimuth: sine and cosine, the radius, and products of two waves (Higham 2002, section 3.6).
+        waves = rounding.UNIT * (
+            orders * (rounding.circle_of_header() + 1.0) + 2.0 * np.sqrt(2.0) * np.maximum(orders - 1, 0) + 1.0
+        )
         slope = np.max(
             [np.abs(_slope(table, _on_the_way(table, there, share))) for share in np.linspace(0.0, 1.0, 9)], axis=0
         )
