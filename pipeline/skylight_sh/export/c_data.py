@@ -259,6 +259,11 @@ def _sums(table: Table) -> Iterator[str]:
         ]
         found = [f"CLASS({k}, NOTHING {' '.join(one)})" for k, one in enumerate(classes)]
         yield from _list(f"#define {P}_POLYNOMIALS(CLASS, NOTHING, POLYNOMIAL)", found)
+        yield from commented("Of each class the longest polynomial's rows, and how many those of the classes before have.")
+        longest = lengths.max(axis=1)
+        yield f"#define {P}_LONGEST {_braced(longest.tolist())}"
+        yield f"#define {P}_BEFORE {_braced((np.cumsum(longest) - longest).tolist())}"
+        yield f"#define {P}_SHARED {int(longest.sum())}"
     yield from _places(table, column)
 
 

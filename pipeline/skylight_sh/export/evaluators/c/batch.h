@@ -128,11 +128,75 @@ static inline void skylight_sh_sum_suns(
     }
 }
 
+/* Whether all suns share the other axes: a day in one weather. */
+static inline int skylight_sh_share(const float *const inputs[SKYLIGHT_SH_AXES], int count)
+{
+    int axis, s, differ = 0;
+    for (axis = 1; axis < SKYLIGHT_SH_AXES; ++axis)
+        for (s = 1; s < count && !differ; ++s) differ = !(inputs[axis][s] == inputs[axis][0]);
+    return !differ;
+}
+
+/* Sums the rows over the other axes' functions at the first sun once for all: of each class a row for
+   each power of u. */
+static inline void skylight_sh_sum_shared(const skylight_sh_real *rows,
+                                          const float *const inputs[SKYLIGHT_SH_AXES],
+                                          float shared[SKYLIGHT_SH_SHARED][SKYLIGHT_SH_WIDTH])
+{
+    static const unsigned short before[SKYLIGHT_SH_CLASSES] = SKYLIGHT_SH_BEFORE;
+    float given[SKYLIGHT_SH_AXES], x[SKYLIGHT_SH_AXES], others[SKYLIGHT_SH_OTHERS];
+    int axis, i, t;
+    for (axis = 0; axis < SKYLIGHT_SH_AXES; ++axis) given[axis] = inputs[axis][0];
+    for (t = 0; t < SKYLIGHT_SH_SHARED; ++t)
+        for (i = 0; i < SKYLIGHT_SH_WIDTH; ++i) shared[t][i] = 0.0f;
+    /* The first axis is another matter: it is inside. */
+    given[0] = skylight_sh_range[0][0];
+    if (skylight_sh_inputs(given, 0.0f, x) == 2) return;
+    skylight_sh_others(x, others);
+#define SKYLIGHT_SH_CLASS(which, polynomials) \
+    { \
+        const int place = before[which]; \
+        polynomials \
+    }
+#define SKYLIGHT_SH_NOTHING
+#define SKYLIGHT_SH_POLYNOMIAL(begin, count, other) \
+    for (t = 0; t < (count); ++t) \
+        for (i = 0; i < SKYLIGHT_SH_WIDTH; ++i) \
+            shared[place + t][i] += others[other] * rows[((begin) + t) * SKYLIGHT_SH_WIDTH + i];
+    SKYLIGHT_SH_POLYNOMIALS(SKYLIGHT_SH_CLASS, SKYLIGHT_SH_NOTHING, SKYLIGHT_SH_POLYNOMIAL)
+#undef SKYLIGHT_SH_CLASS
+#undef SKYLIGHT_SH_NOTHING
+#undef SKYLIGHT_SH_POLYNOMIAL
+}
+
+/* The sums of suns side by side that share the other axes: polynomials in powers of u alone. */
+static inline void skylight_sh_sum_sharing(
+    float shared[SKYLIGHT_SH_SHARED][SKYLIGHT_SH_WIDTH], const skylight_sh_lanes u[SKYLIGHT_SH_GROUPS],
+    skylight_sh_lanes sums[SKYLIGHT_SH_CLASSES][SKYLIGHT_SH_WIDTH][SKYLIGHT_SH_GROUPS])
+{
+    static const unsigned char longest[SKYLIGHT_SH_CLASSES] = SKYLIGHT_SH_LONGEST;
+    int c, g, i, t, row = 0;
+    for (c = 0; c < SKYLIGHT_SH_CLASSES; ++c) {
+        const int last = row + longest[c] - 1;
+        for (i = 0; i < SKYLIGHT_SH_WIDTH; ++i) {
+            skylight_sh_lanes sum[SKYLIGHT_SH_GROUPS];
+            for (g = 0; g < SKYLIGHT_SH_GROUPS; ++g)
+                sum[g] = skylight_sh_spread(last < row ? 0.0f : shared[last][i]);
+            for (t = last - 1; t >= row; --t)
+                for (g = 0; g < SKYLIGHT_SH_GROUPS; ++g)
+                    sum[g] = skylight_sh_add(sum[g], u[g], skylight_sh_spread(shared[t][i]));
+            for (g = 0; g < SKYLIGHT_SH_GROUPS; ++g) sums[c][i][g] = sum[g];
+        }
+        row = last + 1;
+    }
+}
+
 /* The weights of SKYLIGHT_SH_SUNS suns from `start` on, a row a weight, rows `step` apart; returns the
-   largest status. */
+   largest status. `shared` are the sums over the other axes where all suns share them, or nothing. */
 static inline int skylight_sh_evaluate_suns(const skylight_sh_real *rows,
                                             const float *const inputs[SKYLIGHT_SH_AXES],
-                                            const float *azimuths, int start, float *out,
+                                            const float *azimuths, int start,
+                                            float (*shared)[SKYLIGHT_SH_WIDTH], float *out,
                                             size_t step)
 {
     static const short columns[SKYLIGHT_SH_BANDS] = SKYLIGHT_SH_COLUMNS;
@@ -162,7 +226,10 @@ static inline int skylight_sh_evaluate_suns(const skylight_sh_real *rows,
         skylight_sh_factors_suns(x, factors[g]);
         for (i = 0; i < SKYLIGHT_SH_FACTORS; ++i) factors[g][i] *= skylight_sh_load(light + at);
     }
-    skylight_sh_sum_suns(rows, u, others, sums);
+    if (shared)
+        skylight_sh_sum_sharing(shared, u, sums);
+    else
+        skylight_sh_sum_suns(rows, u, others, sums);
     for (channel = 0; channel < SKYLIGHT_SH_CHANNELS; ++channel) {
         for (l = 0; l < SKYLIGHT_SH_BANDS; ++l) {
             float *const w = out + (size_t)(channel * SKYLIGHT_SH_WEIGHTS + l * (l + 1)) * step;
@@ -220,10 +287,14 @@ static inline int skylight_sh_evaluate_batch(
     int s = 0, status, worst = 0;
 #if SKYLIGHT_SH_HAS_WIDE
 #ifdef SKYLIGHT_SH_SUNS
+    float shared[SKYLIGHT_SH_SHARED][SKYLIGHT_SH_WIDTH];
+    const int share = count >= SKYLIGHT_SH_SUNS && skylight_sh_share(inputs, count);
+    if (share) skylight_sh_sum_shared(rows, inputs, shared);
     for (; s + SKYLIGHT_SH_SUNS <= count; s += SKYLIGHT_SH_SUNS) {
         float out[SKYLIGHT_SH_NUMBERS * SKYLIGHT_SH_SUNS];
         int i, k;
-        status = skylight_sh_evaluate_suns(rows, inputs, azimuths, s, out, SKYLIGHT_SH_SUNS);
+        status = skylight_sh_evaluate_suns(rows, inputs, azimuths, s, share ? shared : 0, out,
+                                           SKYLIGHT_SH_SUNS);
         worst = status > worst ? status : worst;
         /* In fours; the last may overlap those before. */
         for (i = 0; i < SKYLIGHT_SH_NUMBERS; i += 4) {
@@ -251,13 +322,16 @@ static inline int skylight_sh_evaluate_columns(const skylight_sh_real *rows, int
     int s = 0, i, status, worst = 0;
 #if SKYLIGHT_SH_HAS_WIDE
 #ifdef SKYLIGHT_SH_SUNS
+    float shared[SKYLIGHT_SH_SHARED][SKYLIGHT_SH_WIDTH];
+    const int share = count >= SKYLIGHT_SH_SUNS && skylight_sh_share(inputs, count);
+    if (share) skylight_sh_sum_shared(rows, inputs, shared);
 #if SKYLIGHT_SH_LANES == 8
     /* Four times as many at once: rows far apart cost time for each visit, not for what is stored. */
     for (; s + 4 * SKYLIGHT_SH_SUNS <= count; s += 4 * SKYLIGHT_SH_SUNS) {
         float out[SKYLIGHT_SH_NUMBERS][4 * SKYLIGHT_SH_SUNS];
         for (i = 0; i < 4; ++i) {
             status = skylight_sh_evaluate_suns(rows, inputs, azimuths, s + i * SKYLIGHT_SH_SUNS,
-                                               out[0] + i * SKYLIGHT_SH_SUNS, 4 * SKYLIGHT_SH_SUNS);
+                                               share ? shared : 0, out[0] + i * SKYLIGHT_SH_SUNS, 4 * SKYLIGHT_SH_SUNS);
             worst = status > worst ? status : worst;
         }
         for (i = 0; i < SKYLIGHT_SH_NUMBERS; ++i)
@@ -265,7 +339,7 @@ static inline int skylight_sh_evaluate_columns(const skylight_sh_real *rows, int
     }
 #endif
     for (; s + SKYLIGHT_SH_SUNS <= count; s += SKYLIGHT_SH_SUNS) {
-        status = skylight_sh_evaluate_suns(rows, inputs, azimuths, s, weights + s, step);
+        status = skylight_sh_evaluate_suns(rows, inputs, azimuths, s, share ? shared : 0, weights + s, step);
         worst = status > worst ? status : worst;
     }
 #endif

@@ -63,7 +63,7 @@ static inline int skylight_sh_evaluate_gradient(
     double sums[SKYLIGHT_SH_CLASSES][SKYLIGHT_SH_WIDTH];
     double sloped[SKYLIGHT_SH_CLASSES][SKYLIGHT_SH_WIDTH];
     double powers[SKYLIGHT_SH_BANDS], power_slopes[SKYLIGHT_SH_BANDS];
-    skylight_sh_real cosines[SKYLIGHT_SH_BANDS], sines[SKYLIGHT_SH_BANDS], cosine, sine;
+    skylight_sh_real cosines[SKYLIGHT_SH_BANDS], sines[SKYLIGHT_SH_BANDS], of_x, of_y;
     int axis, channel, i, l, m, sunk = 0;
     const int status =
         skylight_sh_evaluate(rows, inputs, azimuth, SKYLIGHT_SH_BANDS, weights);
@@ -112,8 +112,8 @@ static inline int skylight_sh_evaluate_gradient(
         for (i = 0; i < SKYLIGHT_SH_MOST; ++i) slopes[SKYLIGHT_SH_SUN][i] = 0.0;
     }
 #endif
-    skylight_sh_circle((skylight_sh_real)azimuth, &cosine, &sine);
-    skylight_sh_waves(cosine, sine, 1, cosines, sines);
+    skylight_sh_circle((skylight_sh_real)azimuth, &of_x, &of_y);
+    skylight_sh_waves(of_x, of_y, 1, cosines, sines);
     skylight_sh_sum_double(rows, functions, sums);
     for (axis = 0; axis < SKYLIGHT_SH_AXES; ++axis) {
         double kept[SKYLIGHT_SH_MOST];

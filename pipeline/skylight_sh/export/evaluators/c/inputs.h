@@ -31,7 +31,7 @@ static inline int skylight_sh_inputs(const float inputs[SKYLIGHT_SH_AXES], float
     for (axis = 0; axis < SKYLIGHT_SH_AXES; ++axis) strange |= skylight_sh_kind(inputs[axis]);
     if (strange & 2) return 2;
     for (axis = 0; axis < SKYLIGHT_SH_AXES; ++axis) {
-        const float v = skylight_sh_finite(inputs[axis]);
+        const float v = strange ? skylight_sh_finite(inputs[axis]) : inputs[axis];
         const skylight_sh_real low = skylight_sh_range[axis][0], high = skylight_sh_range[axis][1];
         const skylight_sh_real at_least = (skylight_sh_real)v < low ? low : (skylight_sh_real)v;
         status |= (v < skylight_sh_inside[axis][0]) | (v > skylight_sh_inside[axis][1]);
