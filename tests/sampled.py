@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
-from skylight_sh.fit.minimax import Sampled
+from skylight_sh.fit.sampled import Sampled
 
 Array = NDArray[np.float64]
 

@@ -12,7 +12,8 @@ from numpy.typing import NDArray
 from sampled import plain
 from skylight_sh.fit import errors, least_squares, sweep
 from skylight_sh.fit.axis import Axis
-from skylight_sh.fit.minimax import Sampled, even, metric, sharpen
+from skylight_sh.fit.minimax import even, metric, sharpen
+from skylight_sh.fit.sampled import Sampled
 from skylight_sh.fit.term_selection import fewest
 from skylight_sh.formula.bases import BASES
 

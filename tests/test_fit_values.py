@@ -11,8 +11,9 @@ from numpy.typing import NDArray
 from sampled import plain
 from skylight_sh.fit import errors, quantisation, sweep, variable_search
 from skylight_sh.fit.axis import Axis
-from skylight_sh.fit.minimax import Sampled, even, metric, sharpen
+from skylight_sh.fit.minimax import even, metric, sharpen
 from skylight_sh.fit.nearest_plane import round_kept
+from skylight_sh.fit.sampled import Sampled
 from skylight_sh.fit.term_selection import fewest
 from skylight_sh.formula.variables import VARIABLES
 from skylight_sh.reproducible import significant
@@ -208,6 +209,61 @@ def test_classes_that_share_channels_are_fitted_together_with_their_orders_power
     off[1, 5, 2] += 0.5
     expected = np.abs(0.5 * factor[:, :, 1] * (basis[:, 2] * np.sin(theta) ** 2)[:, np.newaxis])
     assert sampled.errors(off) == pytest.approx(expected, abs=1e-12)
+
+
+def gridded(shared: bool) -> Sampled:
+    """A grid of 6 by 5 sets and 7 more, two channels of two classes, weights of orders 0 to 2."""
+    rng = np.random.default_rng(8)
+    along = (rng.normal(size=(6, 3)), rng.normal(size=(5, 2)))
+    basis = np.concatenate([np.kron(*along), rng.normal(size=(7, 6))])
+    factor = rng.uniform(0.5, 2.0, (37, 2, 2)) * (np.ones((2, 2)) if shared else np.eye(2))
+    truth, sines = rng.normal(size=(37, 2, 4)), rng.uniform(0.1, 1.0, 37)
+    return Sampled(basis, factor, truth, sines, np.array([0, 1, 1, 2]), (6, 5), along)
+
+
+def residuals(sampled: Sampled, coefficients: Array) -> Array:
+    """Errors of every set, channel and weight, ``(n, channels, count)``, by the definition."""
+    sums = np.einsum("nt,kwt->nkw", sampled.basis, coefficients) * sampled.sines[:, np.newaxis, np.newaxis] ** sampled.orders
+    return np.einsum("nck,nkw->ncw", sampled.factor, sums) - sampled.truth
+
+
+@pytest.mark.parametrize("shared", [True, False])
+def test_errors_on_a_grid_and_beside_it_are_those_of_the_definition(shared: bool) -> None:
+    sampled, coefficients = gridded(shared), np.random.default_rng(9).normal(size=(2, 4, 6))
+    expected = np.linalg.norm(residuals(sampled, coefficients), axis=2)
+    assert sampled.errors(coefficients) == pytest.approx(expected, rel=1e-12)
+
+
+@pytest.mark.parametrize("shared", [True, False])
+def test_sums_axis_by_axis_give_the_least_squares_of_the_whole_system(shared: bool) -> None:
+    """Coefficients by NumPy's lstsq on one row a set, channel and weight; without a term the sum grows as is said."""
+    whole = gridded(shared)
+    part = (whole.basis[:30], whole.factor[:30], whole.truth[:30], whole.sines[:30])
+    sampled = Sampled(*part, whole.orders, whole.shape, whole.along)
+    importance = np.random.default_rng(10).uniform(0.5, 1.5, (30, 2)) / 60.0
+    kept = np.array([[True, True, False, True, True, True], [True, False, True, True, False, True]])
+
+    def least(of: NDArray[np.bool_]) -> tuple[Array, float]:
+        found, left = np.zeros((2, 4, 6)), 0.0
+        for w, order in enumerate(whole.orders):
+            waves = sampled.sines[:, np.newaxis] ** order * sampled.basis
+            rows = np.einsum("nck,nt->nckt", sampled.factor, waves).reshape(60, 12)[:, of.ravel()]
+            root = np.sqrt(importance.ravel())
+            right = root * sampled.truth[:, :, w].ravel()
+            own, _, _, _ = np.linalg.lstsq(root[:, np.newaxis] * rows, right, rcond=None)
+            found[:, w][of] = own
+            left += float(np.square(right - root * (rows @ own)).sum())
+        return found, left
+
+    expected, before = least(kept)
+    for normal in (metric(sampled, importance), metric(sampled, importance, kept)):
+        assert normal.best_of(kept) == pytest.approx(expected, abs=1e-8)
+        grown = []
+        for place in zip(*np.nonzero(kept), strict=True):
+            fewer = kept.copy()
+            fewer[place] = False
+            grown.append(least(fewer)[1] - before)
+        assert normal.growths(kept, kept) == pytest.approx(np.array(grown), rel=1e-8)
 
 
 def test_rounding_of_some_weights_leaves_no_trace_in_others() -> None:

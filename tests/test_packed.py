@@ -7,9 +7,10 @@ import pytest
 from sampled import plain
 from skylight_sh import sphere
 from skylight_sh.fit.axis import Axis
-from skylight_sh.fit.minimax import Sampled, even, metric
+from skylight_sh.fit.minimax import even, metric
 from skylight_sh.fit.nearest_plane import lengths_above, round_kept
 from skylight_sh.fit.quantisation import smallest
+from skylight_sh.fit.sampled import Sampled
 from skylight_sh.fit.variable_search import search
 from skylight_sh.runtime import BitReader, flat_places, unpack
 from skylight_sh.table import packed, prefactor

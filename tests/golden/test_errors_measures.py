@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from skylight_sh.fit import errors, least_squares
 from skylight_sh.fit.axis import Axis
-from skylight_sh.fit.minimax import Sampled
+from skylight_sh.fit.sampled import Sampled
 from skylight_sh.table.errors import headline, least_reconstructed, measure
 from skylight_sh.table.table import specification, whole
 

@@ -9,95 +9,40 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from skylight_sh.fit import peaks
-from skylight_sh.fit.errors import norms
+from skylight_sh.fit.sampled import Sampled, contracted, pair_numbers
 from skylight_sh.reproducible import significant
 
 Array = NDArray[np.float64]
 Index = NDArray[np.int64]
+Mask = NDArray[np.bool_]
 
 # Far below any rounding step, far above what Cholesky needs.
 _RIDGE = 1e-12
-# Of an importance and of an error that a search acts on: what differs from machine to machine must not feed back.
+# Of an importance that a search acts on: what differs from machine to machine must not feed back.
 _IMPORTANCE_BITS = 4
-_ERROR_BITS = 24
-
-
-@dataclass(frozen=True)
-class Sampled:
-    """``n`` parameter sets as a table sees them, everything in units of each set's L_min.
-
-    ``basis`` ``(n, terms)`` holds all products of basis functions, ``factor`` ``(n, channels, classes)`` what each channel
-    takes of each class's sums, ``truth`` ``(n, channels, count)`` the weights. Sums of weight w are multiplied with
-    ``sines`` ``(n,)`` to the power ``orders`` ``(count,)``; those are 0 without parity. The first sets are on a grid of
-    ``shape``, if on any.
-    """
-
-    basis: Array
-    factor: Array
-    truth: Array
-    sines: Array
-    orders: Index
-    shape: tuple[int, ...] = ()
-
-    @cached_property
-    def waves(self) -> dict[int, Array]:
-        """The sines to the power of each order that there is, ``(n,)``."""
-        return {m: self.sines**m for m in np.unique(self.orders).tolist()}
-
-    @cached_property
-    def groups(self) -> list[tuple[int, ...]]:
-        """Classes that share a channel: they are fitted together."""
-        channels, classes = self.truth.shape[1], self.size[0]
-        mixed = np.abs(self.factor).max(axis=0) > 0.0
-        if channels == classes and not (mixed & ~np.eye(classes, dtype=bool)).any():
-            return [(k,) for k in range(classes)]
-        return [tuple(range(classes))]
-
-    @property
-    def size(self) -> tuple[int, int, int]:
-        """How many classes, weights and terms coefficients have."""
-        return len(self.factor[0, 0]), len(self.truth[0, 0]), len(self.basis[0])
-
-    def errors(self, coefficients: Array) -> Array:
-        """Return E_mean of every set and channel, ``(n, channels)``, of coefficients ``(classes, count, terms)``."""
-        sums = []
-        for own in coefficients:
-            use = np.flatnonzero(own.any(axis=0))
-            made = self.basis[:, use] @ own[:, use].T
-            for m, wave in self.waves.items():
-                if m:
-                    made[:, self.orders == m] *= wave[:, np.newaxis]
-            sums.append(made)
-        count, channels = len(self.truth), len(self.truth[0])
-        out = np.empty((count, channels))
-        for channel in range(channels):
-            off = -self.truth[:, channel]
-            for k, made in enumerate(sums):
-                share = self.factor[:, channel, k]
-                if share.any():
-                    off = off + share[:, np.newaxis] * made
-            out[:, channel] = norms(off)
-        return out
-
-    def largest(self, coefficients: Array) -> float:
-        """Return the largest of ``errors``, between nodes too, rounded far above what differs from machine to machine."""
-        return float(significant(peaks.largest(self.errors(coefficients), self.shape), _ERROR_BITS))
 
 
 @dataclass(frozen=True)
 class System:
-    """Normal equations of some weights and ``terms`` of some classes: ``gram`` ``(u, u)``, ``right`` ``(outputs, u)``.
+    """Normal equations of the weights ``outputs`` and u terms: ``gram`` ``(u, u)``, ``right`` ``(outputs, u)``.
 
-    u is classes times terms, the terms of a class after those of another. The error of other coefficients exceeds the least
-    one by their distance to the best in ``gram``.
+    ``classes`` and ``terms``, ``(u,)``, say what they are terms of. The error of other coefficients exceeds the least one
+    by their distance to the best in ``gram``.
     """
 
-    classes: tuple[int, ...]
     outputs: Index
+    classes: Index
     terms: Index
     gram: Array
     right: Array
+
+    def some(self, kept: Mask) -> System:
+        """Return the equations of the terms ``kept`` ``(classes, terms)`` alone."""
+        use = kept[self.classes, self.terms]
+        if use.all():
+            return self
+        gram = self.gram[np.ix_(use, use)]
+        return System(self.outputs, self.classes[use], self.terms[use], gram, self.right[:, use])
 
 
 @dataclass(frozen=True)
@@ -112,7 +57,7 @@ class Metric:
         """The best coefficients of all terms, solved for where they are asked for."""
         return self.best_of(np.ones((self.size[0], self.size[2]), dtype=bool))
 
-    def best_of(self, kept: NDArray[np.bool_]) -> Array:
+    def best_of(self, kept: Mask) -> Array:
         """Return the best coefficients of the terms ``kept`` ``(classes, terms)`` that systems have, zeros elsewhere.
 
         >>> truth = np.array([[[3.0]], [[5.0]]])
@@ -120,61 +65,109 @@ class Metric:
         >>> metric(sampled, np.full((2, 1), 0.5)).best_of(np.array([[False, True]])).round(6).tolist()
         [[[0.0, 5.0]]]
         """
+        # Imported here: names that this module gives to others need no SciPy.
+        from scipy import linalg
+
         out = np.zeros(self.size)
         for system in self.systems:
-            use = np.flatnonzero(kept[np.ix_(np.array(system.classes), system.terms)].ravel())
-            solved = _solved(system.gram[np.ix_(use, use)], system.right[:, use].T).T
-            flat = np.zeros(system.right.shape)
-            flat[:, use] = solved
-            put(out, system, flat)
+            own = system.some(kept)
+            if own.terms.size:
+                factor = linalg.cho_factor(own.gram, check_finite=False)
+                put(out, own, linalg.cho_solve(factor, own.right.T, check_finite=False).T)
         return out
+
+    def growths(self, kept: Mask, without: Mask) -> Array:
+        """Return by how much the sum of importance times squared errors grows without one of the terms ``kept``.
+
+        Both ``(classes, terms)``; for each of ``without``, as ``np.nonzero`` lists them, of which all are kept, the best
+        coefficients of the others found anew. A term's coefficient squared over its entry of the inverse Gram matrix.
+
+        >>> truth = np.array([[[3.0]], [[5.0]]])
+        >>> sampled = Sampled(np.eye(2), np.ones((2, 1, 1)), truth, np.ones(2), np.zeros(1, dtype=int))
+        >>> kept = np.array([[True, True]])
+        >>> metric(sampled, np.full((2, 1), 0.5)).growths(kept, kept).round(6).tolist()
+        [4.5, 12.5]
+        """
+        from scipy import linalg
+
+        grown = np.zeros(without.shape)
+        for system in self.systems:
+            own = system.some(kept)
+            places = np.flatnonzero(without[own.classes, own.terms])
+            if not places.size:
+                continue
+            unit = np.zeros((own.terms.size, places.size))
+            unit[places, np.arange(places.size)] = 1.0
+            factor = linalg.cho_factor(own.gram, check_finite=False)
+            columns = linalg.cho_solve(factor, unit, check_finite=False)
+            entries = columns[places, np.arange(places.size)]
+            found = np.square(own.right @ columns).sum(axis=0) / entries
+            grown[own.classes[places], own.terms[places]] += found
+        return grown[without]
 
 
 def put(coefficients: Array | Index, system: System, flat: Array | Index) -> None:
     """Put what was found for a system, ``(outputs, u)``, where it belongs in ``(classes, count, terms)``."""
-    parts = flat.reshape(len(flat), len(system.classes), -1).swapaxes(0, 1)
-    coefficients[np.ix_(np.array(system.classes), system.outputs, system.terms)] = parts
+    coefficients[system.classes[:, np.newaxis], system.outputs, system.terms[:, np.newaxis]] = flat.T
 
 
-def _solved(gram: Array, right: Array) -> Array:
-    # Imported here: names that this module gives to others need no SciPy.
-    from scipy import linalg
-
-    return np.asarray(linalg.solve(gram, right, assume_a="pos"))
-
-
-def metric(sampled: Sampled, importance: Array, terms: Index | None = None) -> Metric:
+def metric(sampled: Sampled, importance: Array, kept: Mask | None = None) -> Metric:
     """Build the metric of ``sum importance * error**2``; ``importance`` ``(n, channels)`` sums to 1.
 
-    Of all terms, or of some, which is quicker.
+    Of all terms, or of some, ``kept`` ``(classes, terms)``, which is quicker. All sets are on the grid of ``sampled``: sums
+    over it are taken axis by axis, of each axis's products of two basis functions.
 
     >>> sampled = Sampled(np.eye(2), np.ones((2, 1, 1)), np.ones((2, 1, 1)), np.ones(2), np.zeros(1, dtype=int))
     >>> [found] = metric(sampled, np.full((2, 1), 0.5)).systems
     >>> found.gram.round(6).tolist(), found.right.tolist()
     ([[0.5, 0.0], [0.0, 0.5]], [[0.5, 0.5]])
     """
-    use = np.arange(sampled.basis.shape[1]) if terms is None else terms
-    systems = [_system(sampled, importance, group, m, use) for group in sampled.groups for m in sampled.waves]
+    used = np.ones((sampled.size[0], sampled.size[2]), dtype=bool) if kept is None else kept
+    rights = _rights(sampled, importance)
+    systems = [system for group in sampled.groups for system in _systems(sampled, importance, group, used, rights)]
     return Metric(tuple(systems), sampled.size)
 
 
-def _system(sampled: Sampled, importance: Array, group: tuple[int, ...], m: int, use: Index) -> System:
-    basis, terms = np.ascontiguousarray(sampled.basis[:, use]), use.size
-    outputs = np.flatnonzero(sampled.orders == m)
-    wave = sampled.waves[m][:, np.newaxis]
-    factors = sampled.factor[:, :, list(group)] * wave[:, :, np.newaxis]
-    gram = np.empty((len(group), terms, len(group), terms))
-    right = np.empty((outputs.size, len(group), terms))
-    truth = sampled.truth[:, :, outputs]
-    for i in range(len(group)):
-        weighed = importance * factors[:, :, i]
-        for j in range(i + 1):
-            part = (basis * (weighed * factors[:, :, j]).sum(axis=1)[:, np.newaxis]).T @ basis
-            gram[i, :, j], gram[j, :, i] = part, part.T
-        right[:, i] = (weighed[:, :, np.newaxis] * truth).sum(axis=1).T @ basis
-    flat = gram.reshape(len(group) * terms, -1)
-    flat[np.diag_indices(len(flat))] += _RIDGE * np.trace(flat) / len(flat)
-    return System(group, outputs, use, flat, right.reshape(outputs.size, -1))
+def _rights(sampled: Sampled, importance: Array) -> Array:
+    """Return the right sides of all terms, ``(classes, count, terms)``."""
+    shape = [len(own) for own in sampled.axes]
+    shares = sampled.shares * importance.T[:, np.newaxis]
+    weighed = np.einsum("ckn,cwn->kwn", shares, sampled.weights)
+    for m, wave in sampled.waves.items():
+        if m:
+            weighed[:, sampled.orders == m] *= wave
+    return contracted(weighed.reshape(-1, *shape), sampled.axes).reshape(sampled.size)
+
+
+def _systems(sampled: Sampled, importance: Array, group: tuple[int, ...], kept: Mask, rights: Array) -> list[System]:
+    shape = [len(own) for own in sampled.axes]
+    shares = sampled.shares[:, list(group)]
+    one, other = np.triu_indices(len(group))
+    weighed = np.einsum("nc,cpn,cpn->pn", importance, shares[:, one], shares[:, other])
+    waves = np.stack(list(sampled.waves.values()))
+    moments = contracted(
+        (np.square(waves)[:, np.newaxis] * weighed).reshape(-1, *shape), [matrix for matrix, _ in sampled.pairs]
+    ).reshape(len(waves), -1)
+    own = np.zeros_like(kept)
+    own[list(group)] = kept[list(group)]
+    classes, terms = np.nonzero(own)
+    places = _places(sampled, np.searchsorted(group, classes), terms, len(group))
+    made = []
+    for m, of_order in zip(sampled.waves, moments, strict=True):
+        gram = of_order[places]
+        gram[np.diag_indices(len(gram))] += _RIDGE * np.trace(gram) / max(len(gram), 1)
+        outputs = np.flatnonzero(sampled.orders == m)
+        made.append(System(outputs, classes, terms, gram, rights[classes, :, terms][:, outputs].T))
+    return made
+
+
+def _places(sampled: Sampled, members: Index, terms: Index, count: int) -> Index:
+    """Return where each entry of a Gram matrix stands among the flat moments, ``(u, u)``."""
+    places = pair_numbers(count)[members[:, np.newaxis], members]
+    digits = np.unravel_index(terms, [own.shape[1] for own in sampled.axes])
+    for digit, (matrix, numbers) in zip(digits, sampled.pairs, strict=True):
+        places = places * matrix.shape[1] + numbers[digit[:, np.newaxis], digit]
+    return places
 
 
 def even(sampled: Sampled) -> Array:

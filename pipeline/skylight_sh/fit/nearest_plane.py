@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from typing import NamedTuple
+
 import numpy as np
 from numpy.typing import NDArray
 
-from skylight_sh.fit.minimax import Metric, System, put
+from skylight_sh.fit.minimax import Metric, System
 from skylight_sh.reproducible import significant
 
 Array = NDArray[np.float64]
@@ -34,46 +37,49 @@ def round_kept(metric: Metric, lengths: Index, first: int, step: float) -> Index
     rounding costs least take up what is left. Plain rounding needs a step about 1.5 times finer for the same error.
 
     >>> gram, right = np.array([[2.0, 1.0], [1.0, 2.0]]), np.array([[4.2, 4.2]])  # the best: 1.4 and 1.4
-    >>> metric = Metric((System((0,), np.array([0]), np.arange(2), gram, right),), (1, 1, 2))
+    >>> metric = Metric((System(np.array([0]), np.array([0, 0]), np.arange(2), gram, right),), (1, 1, 2))
     >>> round_kept(metric, np.full((1, 1, 1), 2), 2, 1.0).ravel().tolist()
     [2, 1]
     """
     classes, count, rest = lengths.shape
     keep = (np.arange(first)[:, np.newaxis] < lengths[:, :, np.newaxis, :]).reshape(classes, count, -1)
     out = np.zeros((classes, count, first * rest), dtype=np.int64)
-    for system in metric.systems:
-        own = (
-            keep[np.ix_(np.array(system.classes), system.outputs, system.terms)]
-            .swapaxes(0, 1)
-            .reshape(len(system.outputs), -1)
-        )
-        put(out, system, _rounded(system, own, step))
+    rows = [row for system in metric.systems for row in _rows(system, keep)]
+    size = max((len(row.target) for row in rows), default=0)
+    unit, target = np.zeros((len(rows), size, size)), np.zeros((len(rows), size))
+    for w, row in enumerate(rows):
+        # Shorter ones stand at the end, from where rounding begins.
+        start = size - len(row.target)
+        unit[w, start:, start:], target[w, start:] = row.unit, row.target / step
+    for row, rounded in zip(rows, _nearest_plane(unit, target), strict=True):
+        out[row.classes, row.output, row.terms] = rounded[size - len(row.target) :]
     return out.reshape(classes, count, first, rest)
 
 
-def _rounded(system: System, keep: NDArray[np.bool_], step: float) -> Index:
-    """Round the coefficients ``keep`` ``(outputs, u)`` of a system, all outputs side by side."""
+class _Row(NamedTuple):
+    """One weight's u coefficients: a triangle with a diagonal of 1 that, times the best ones, gives ``target``."""
+
+    output: int
+    classes: Index
+    terms: Index
+    unit: Array
+    target: Array
+
+
+def _rows(system: System, keep: NDArray[np.bool_]) -> Iterator[_Row]:
+    """Yield the weights of a system, of the coefficients ``keep`` ``(classes, count, terms)``."""
     from scipy import linalg
 
     # Terms that weigh the same must rank the same on every machine.
     ranked = np.argsort(significant(np.diag(system.gram), 20), kind="stable")
-    used = [ranked[own[ranked]] for own in keep]
-    size = max(use.size for use in used)
-    unit, target = np.zeros((len(used), size, size)), np.zeros((len(used), size))
-    for w, use in enumerate(used):
+    for w, output in enumerate(system.outputs.tolist()):
+        use = ranked[keep[system.classes[ranked], output, system.terms[ranked]]]
         if use.size:
-            factor = linalg.cholesky(system.gram[np.ix_(use, use)], check_finite=False)
-            # factor @ solution, of which each row names one coefficient given all later ones.
-            found = linalg.solve_triangular(factor, system.right[w, use], trans="T", check_finite=False)
+            factor = np.linalg.cholesky(system.gram[use[:, np.newaxis], use])
+            # Its transpose times the solution, of which each row names one coefficient given all later ones.
+            found = linalg.solve_triangular(factor, system.right[w, use], lower=True, check_finite=False)
             diagonal = np.diag(factor)
-            # Shorter ones stand at the end, from where rounding begins.
-            unit[w, size - use.size :, size - use.size :] = factor / diagonal[:, np.newaxis]
-            target[w, size - use.size :] = found / (diagonal * step)
-    rounded = _nearest_plane(unit, target)
-    out = np.zeros(keep.shape, dtype=np.int64)
-    for w, use in enumerate(used):
-        out[w, use] = rounded[w, size - use.size :]
-    return out
+            yield _Row(output, system.classes[use], system.terms[use], factor.T / diagonal[:, np.newaxis], found / diagonal)
 
 
 def _nearest_plane(unit: Array, target: Array) -> Index:

@@ -8,8 +8,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from skylight_sh.fit.minimax import Metric, Sampled, even, metric, sharpen
+from skylight_sh.fit.minimax import Metric, even, metric, sharpen
 from skylight_sh.fit.nearest_plane import lengths_above, round_kept
+from skylight_sh.fit.sampled import Sampled
 from skylight_sh.reproducible import significant
 
 Array = NDArray[np.float64]
@@ -94,12 +95,12 @@ def smallest(
     return best, tried
 
 
-def _around(numbers: Index) -> Index:
-    """Return the terms ``(terms,)`` that any of ``numbers`` ``(classes, count, first, rest)`` keeps, one more a run."""
-    first, rest = numbers.shape[2:]
+def _around(numbers: Index) -> NDArray[np.bool_]:
+    """Return the terms ``(classes, terms)`` that any class of ``numbers`` keeps, and one more of each run."""
+    classes, _, first, _ = numbers.shape
     kept = (numbers != 0).any(axis=(0, 1))
     lengths = np.where(kept.any(axis=0), first - np.argmax(kept[::-1], axis=0), 0)
-    return np.flatnonzero((np.arange(first)[:, np.newaxis] <= lengths).reshape(first * rest))
+    return np.tile((np.arange(first)[:, np.newaxis] <= lengths).ravel(), (classes, 1))
 
 
 def _values(numbers: Index, step: float) -> Array:

@@ -11,7 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from skylight_sh.fit.minimax import Sampled, even, metric, sharpen
+from skylight_sh.fit.minimax import even, metric, sharpen
+from skylight_sh.fit.sampled import Sampled
 from skylight_sh.reproducible import significant
 
 Array = NDArray[np.float64]
@@ -66,13 +67,13 @@ class _Search:
         """Fit with the importance moved to the worst sets until the budget is met or no round helps; return the best."""
         best = made = self.fit(lengths, budget)
         importance, normal = self.importance, self.normal
-        terms = np.flatnonzero(_kept(lengths, self.first).any(axis=0))
+        kept = np.tile(_kept(lengths, self.first).any(axis=0), (len(lengths), 1))
         for done in range(rounds):
             if best.error <= budget or any(done >= after and best.error > much * budget for after, much in _HOPELESS):
                 break
             errors = self.grid.errors(made.dense.reshape(*made.dense.shape[:2], -1))
             self.importance = sharpen(self.importance, errors, self.shape)
-            self.normal = metric(self.grid, self.importance, terms)
+            self.normal = metric(self.grid, self.importance, kept)
             made = self.fit(lengths, budget)
             best = min(best, made, key=lambda k: k.error)
         if best.error > budget:

@@ -14,8 +14,9 @@ from numpy.typing import NDArray
 from skylight_sh import UserError
 from skylight_sh.fit.axis import Axis
 from skylight_sh.fit.errors import Reference, l_min
-from skylight_sh.fit.minimax import Sampled, even, metric
+from skylight_sh.fit.minimax import even, metric
 from skylight_sh.fit.quantisation import smallest
+from skylight_sh.fit.sampled import Sampled
 from skylight_sh.fit.sweep import Worst
 from skylight_sh.fit.term_selection import fewest
 from skylight_sh.reproducible import significant, to_grid
@@ -254,7 +255,18 @@ def _sampled(data: SearchData, sets: Array, weights: Array, least: Array, shape:
         sines_at(data.axes, parity, sets),
         np.abs(harmonics.orders) * spec.parity,
         shape,
+        _along(data, sets, shape),
     )
+
+
+def _along(data: SearchData, sets: Array, shape: tuple[int, ...]) -> tuple[Array, ...]:
+    """Return the basis at the nodes of each axis of the grid of ``shape`` that the first of ``sets`` are on."""
+    grid = sets[: np.prod(shape, dtype=int)].reshape(*shape, -1)
+    found = []
+    for i, (axis, degree) in enumerate(zip(data.axes[: len(shape)], data.degrees, strict=False)):
+        nodes = np.moveaxis(grid[..., i], i, 0).reshape(shape[i], -1)[:, :1]
+        found.append(np.asarray(tables.products(data.spec.basis, [axis], nodes, [degree]), dtype=np.float64))
+    return tuple(found)
 
 
 def _both(data: SearchData, bands: int) -> tuple[Sampled, Sampled]:
