@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from sampled import plain
 from skylight_sh.fit import errors, least_squares, sweep
 from skylight_sh.fit.axis import Axis
-from skylight_sh.fit.minimax import even, metric, sharpen
+from skylight_sh.fit.minimax import OF_FITTED, OF_ROUNDED, Sharpening, even, metric, sharpen
 from skylight_sh.fit.sampled import Sampled
 from skylight_sh.fit.term_selection import fewest
 from skylight_sh.formula.bases import BASES
@@ -154,7 +154,8 @@ def test_fewest_says_so_when_all_terms_are_too_few() -> None:
     assert fewest(sampled(40), sampled(67), (40,), 12, 1e-9)[0] is None
 
 
-def test_sharpening_lowers_the_largest_error() -> None:
+@pytest.mark.parametrize("how", [OF_ROUNDED, OF_FITTED])
+def test_sharpening_lowers_the_largest_error(how: Sharpening) -> None:
     grid = sampled(60)
     importance = even(grid)
     errors = []
@@ -162,5 +163,5 @@ def test_sharpening_lowers_the_largest_error() -> None:
         found = metric(grid, importance).best_of(np.tile(np.arange(12) < 6, (2, 1)))
         made = grid.errors(found)
         errors.append(float(made.max()))
-        importance = sharpen(importance, made, (60,))
+        importance = sharpen(importance, made, (60,), how)
     assert min(errors) < 0.8 * errors[0]

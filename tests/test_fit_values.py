@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from sampled import plain
 from skylight_sh.fit import errors, quantisation, sweep, variable_search
 from skylight_sh.fit.axis import Axis
-from skylight_sh.fit.minimax import even, metric, sharpen
+from skylight_sh.fit.minimax import OF_FITTED, OF_ROUNDED, even, metric, sharpen
 from skylight_sh.fit.nearest_plane import round_kept
 from skylight_sh.fit.sampled import Sampled
 from skylight_sh.fit.term_selection import fewest
@@ -106,7 +106,7 @@ def test_a_sweep_sees_every_set(worst: int) -> None:
 def test_importance_moves_in_proportion_to_the_errors() -> None:
     """Lawson's rule, where all sets of a channel err alike, and averages of four binomial steps where they do not."""
     importance = np.array([[1.0, 2.0], [3.0, 4.0], [5.0, 6.0]]) / 21.0
-    moved = sharpen(importance, np.tile([0.3, 0.6], (3, 1)), (3,))
+    moved = sharpen(importance, np.tile([0.3, 0.6], (3, 1)), (3,), OF_ROUNDED)
     expected = importance * [1.0, 2.0]
     # Rounded to four bits, at most a sixteenth off.
     assert moved == pytest.approx(significant(expected / expected.sum(), 4), rel=1e-14)
@@ -115,13 +115,20 @@ def test_importance_moves_in_proportion_to_the_errors() -> None:
     spike = np.zeros((31, 1))
     spike[15] = 0.7
     flat = np.full((31, 1), 1.0 / 31.0)
-    made = sharpen(flat, spike, (31,))[:, 0]
+    made = sharpen(flat, spike, (31,), OF_ROUNDED)[:, 0]
     binomial = np.array([1, 8, 28, 56, 70, 56, 28, 8, 1])
     shares = np.sqrt(binomial) / np.sqrt(binomial).sum()
     assert made[11:20] == pytest.approx(significant(shares, 4), rel=1e-12)
     assert not made[:11].any()
     assert not made[20:].any()
     assert made.sum() == pytest.approx(1.0, rel=2.0**-4)
+    # Of a fit's errors: with their squares, averaged once.
+    fitted = sharpen(flat, spike, (31,), OF_FITTED)[:, 0]
+    assert fitted[14:17] == pytest.approx([0.25, 0.5, 0.25], rel=1e-12)
+    assert np.count_nonzero(fitted) == 3
+    assert sharpen(importance, np.tile([0.3, 0.6], (3, 1)), (3,), OF_FITTED) == pytest.approx(
+        significant(importance * [1.0, 4.0] / (importance * [1.0, 4.0]).sum(), 6), rel=1e-14
+    )
 
 
 def grid(count: int) -> Sampled:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,8 +19,22 @@ Mask = NDArray[np.bool_]
 
 # Far below any rounding step, far above what Cholesky needs.
 _RIDGE = 1e-12
-# Of an importance that a search acts on: what differs from machine to machine must not feed back.
-_IMPORTANCE_BITS = 4
+# Of an importance that a search acts on, for rounded numbers and for fitted ones: what differs from machine to machine must
+# not feed back.
+_IMPORTANCE_BITS = 4, 6
+
+
+class Sharpening(NamedTuple):
+    """How importance moves: with the error to a ``power``, over neighbours ``averaged`` so many times, kept in ``bits``."""
+
+    averaged: int
+    power: int
+    bits: int
+
+
+# Rounding makes single sets' errors a matter of chance; those of a fit are smooth themselves.
+OF_ROUNDED = Sharpening(4, 1, _IMPORTANCE_BITS[0])
+OF_FITTED = Sharpening(1, 2, _IMPORTANCE_BITS[1])
 
 
 @dataclass(frozen=True)
@@ -180,22 +195,21 @@ def even(sampled: Sampled) -> Array:
     return np.full(shape, 1.0 / np.prod(shape))
 
 
-def sharpen(importance: Array, errors: Array, shape: Sequence[int]) -> Array:
+def sharpen(importance: Array, errors: Array, shape: Sequence[int], how: Sharpening) -> Array:
     """Move importance to where errors are large (Lawson 1961), so that the largest error falls.
 
-    ``errors`` ``(n, channels)`` on a grid of ``shape``; squared, they are averaged over neighbours first, since
-    rounding makes single sets' errors a matter of chance. The result grows with the error itself, and is rounded to few
-    bits: importance need not be exact, and what follows from it must not hang on the last bits of errors.
+    ``errors`` ``(n, channels)`` are on a grid of ``shape``; squared, they are averaged over neighbours first. The result
+    is rounded to few bits: importance need not be exact, and what follows from it must not hang on the last bits of errors.
 
     >>> errors = np.array([[1.0], [1.0], [4.0], [1.0], [1.0]])
-    >>> bool(sharpen(np.full((5, 1), 0.2), errors, (5,)).argmax() == 2)
+    >>> bool(sharpen(np.full((5, 1), 0.2), errors, (5,), OF_ROUNDED).argmax() == 2)
     True
     """
     smooth = (errors * errors).reshape(*shape, -1)
     for axis in range(len(shape)):
-        for _ in range(4):
+        for _ in range(how.averaged):
             padded = np.pad(smooth, [(1, 1) if a == axis else (0, 0) for a in range(smooth.ndim)], mode="edge")
             size = smooth.shape[axis]
             smooth = (padded.take(range(size), axis) + 2 * smooth + padded.take(range(2, size + 2), axis)) / 4
-    grown = importance * np.sqrt(smooth.reshape(errors.shape) / smooth.max())
-    return significant(grown / grown.sum(), _IMPORTANCE_BITS)
+    grown = importance * np.sqrt(smooth.reshape(errors.shape) / smooth.max()) ** how.power
+    return significant(grown / grown.sum(), how.bits)

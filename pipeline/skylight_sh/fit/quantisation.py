@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from skylight_sh.fit.minimax import Metric, even, metric, sharpen
+from skylight_sh.fit.minimax import OF_ROUNDED, Metric, even, metric, sharpen
 from skylight_sh.fit.nearest_plane import lengths_above, round_kept
 from skylight_sh.fit.sampled import Sampled
 from skylight_sh.reproducible import significant
@@ -19,7 +19,7 @@ Index = NDArray[np.int64]
 # Staircases keep what exceeds this many steps. Which one wins is a matter of chance within a few per cent.
 _THRESHOLDS = (0.75, 1.05)
 _ROUNDS = 4
-_AIMED = 3
+_AIMED = 2
 _SCAN = np.geomspace(0.95, 1.2, 8)
 _FARTHEST = 8.0
 # A reader's whole numbers have 32 bits.
@@ -88,7 +88,7 @@ def smallest(
                 if 0.97 * budget <= made.error <= budget:
                     break
                 step = rounded(step * float(np.clip(0.985 * budget / made.error, 1.0 / _FARTHEST, _FARTHEST)))
-            importance = sharpen(importance, grid.errors(_values(made.numbers, made.step)), shape)
+            importance = sharpen(importance, grid.errors(_values(made.numbers, made.step)), shape, OF_ROUNDED)
             normal = metric(grid, importance, _around(made.numbers))
         for scale in _SCAN:
             attempt(normal, threshold, rounded(step * float(scale)))

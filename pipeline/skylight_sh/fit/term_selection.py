@@ -11,31 +11,46 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from skylight_sh.fit.minimax import even, metric, sharpen
+from skylight_sh.fit.minimax import OF_FITTED, even, metric, sharpen
 from skylight_sh.fit.sampled import Sampled
 from skylight_sh.reproducible import significant
 
 Array = NDArray[np.float64]
 Index = NDArray[np.int64]
 
-_ROUNDS = 8
+_ROUNDS = 6
 # Of rounds where lengths are known, or where the last corner is at stake.
-_LONG_ROUNDS = 24
+_LONG_ROUNDS = 12
 # After so many rounds, an error this much above the budget does not come down to it.
-_HOPELESS = ((3, 1.2), (8, 1.03))
-# Corners that are tried before one is taken away: those with the smallest coefficients; and how many of them are sharpened.
-_CORNERS, _SHARPENED = 8, 2
+_HOPELESS = ((1, 1.3), (2, 1.1), (3, 1.03))
+# Corners that are tried last: those that squared errors need least.
+_CORNERS = 2
 # Of the energy of a class's coefficients where only their order matters.
 _ENERGY_BITS = 20
+# Of the budget's square: a growth of squared errors below that is none.
+_NO_GROWTH = 1e-8
 
 
 @dataclass(frozen=True)
 class Kept:
-    """``lengths`` ``(classes, rest)``, ``dense`` ``(classes, count, first, rest)`` and its largest E_mean."""
+    """``lengths`` ``(classes, rest)``, ``dense`` ``(classes, count, first, rest)`` and its largest E_mean.
+
+    ``gridded`` ``(n, channels)`` are the errors on the fit's own grid.
+    """
 
     lengths: Index
     dense: Array
     error: float
+    gridded: Array
+
+    @property
+    def terms(self) -> int:
+        """How many terms all classes keep."""
+        return int(self.lengths.sum())
+
+
+# What a search found, and all that it tried.
+Known = tuple[Kept, list[Kept]]
 
 
 class _Search:
@@ -44,7 +59,7 @@ class _Search:
     def __init__(self, grid: Sampled, checked: Sampled, shape: Sequence[int], first: int) -> None:
         self.grid, self.checked, self.shape, self.first = grid, checked, shape, first
         self.importance = even(grid)
-        self.normal = metric(grid, self.importance)
+        self.start = self.normal = metric(grid, self.importance)
         # What a class's coefficients are worth in the channels.
         self.worth = np.square(grid.factor).sum(axis=1).mean(axis=0)
         self.tried: list[Kept] = []
@@ -56,10 +71,11 @@ class _Search:
         of those ``tried``.
         """
         found = self.normal.best_of(_kept(lengths, self.first))
-        dense, error = found.reshape(*found.shape[:2], self.first, -1), self.grid.largest(found)
+        dense, gridded = found.reshape(*found.shape[:2], self.first, -1), self.grid.errors(found)
+        error = self.grid.largest_of(gridded)
         if error > budget:
-            return Kept(lengths, dense, error)
-        made = Kept(lengths, dense, max(error, self.checked.largest(found)))
+            return Kept(lengths, dense, error, gridded)
+        made = Kept(lengths, dense, max(error, self.checked.largest(found)), gridded)
         self.tried.append(made)
         return made
 
@@ -71,8 +87,7 @@ class _Search:
         for done in range(rounds):
             if best.error <= budget or any(done >= after and best.error > much * budget for after, much in _HOPELESS):
                 break
-            errors = self.grid.errors(made.dense.reshape(*made.dense.shape[:2], -1))
-            self.importance = sharpen(self.importance, errors, self.shape)
+            self.importance = sharpen(self.importance, made.gridded, self.shape, OF_FITTED)
             self.normal = metric(self.grid, self.importance, kept)
             made = self.fit(lengths, budget)
             best = min(best, made, key=lambda k: k.error)
@@ -92,21 +107,26 @@ def _kept(lengths: Index, first: int) -> NDArray[np.bool_]:
 
 
 def fewest(
-    grid: Sampled, checked: Sampled, shape: Sequence[int], first: int, budget: float, known: Index | None = None
+    grid: Sampled, checked: Sampled, shape: Sequence[int], first: int, budget: float, known: Known | None = None
 ) -> tuple[Kept | None, list[Kept]]:
     """Return the fewest terms found whose largest error over ``checked`` stays within ``budget``, and all tried there.
 
     ``grid``, of ``shape``, is what is fitted; ``first`` is the size of the first axis' basis. Terms are ranked by the
     coefficients that drop with them; a bisection finds how many are needed, corners that the budget does not need are then
-    taken away one by one, and the worst sets' importance is sharpened where that saves another. Lengths ``known`` from a
-    search with a larger budget are the start where they are given: corners are added until they are enough. The first
-    result is None where all terms together exceed the budget.
+    taken away one by one, and the worst sets' importance is sharpened where that saves another. What a search with a
+    larger budget found and tried is the start where it is ``known``: corners are added until they are enough, or as many
+    as were so when tried. The first result is None where all terms together exceed the budget.
     """
     search = _Search(grid, checked, shape, first)
     if known is None:
         return _searched(search, budget), search.tried
-    made = search.sharpened(known, budget, _LONG_ROUNDS)
+    kept, tried = known
+    met = [k for k in tried if k.error <= budget]
+    most = min(met, key=lambda k: k.terms, default=None)
+    made = search.sharpened(kept.lengths, budget, _LONG_ROUNDS)
     while made.error > budget:
+        if most is not None and most.terms <= made.terms + 1:
+            return most, search.tried
         options = [search.fit(lengths, 0.0) for lengths in _with_a_corner(made.lengths, first)]
         if not options:
             return None, search.tried
@@ -126,19 +146,23 @@ def _searched(search: _Search, budget: float) -> Kept | None:
             high = middle
         else:
             low = middle + 1
-    best, rounds = search.fit(ranked[low - 1], budget), _ROUNDS
+    return _reduced(search, search.fit(ranked[low - 1], budget), budget)
+
+
+def _reduced(search: _Search, best: Kept, budget: float) -> Kept:
+    """Take away the corner that is needed least, again and again; at last one of a few, from even importance."""
+    rounds, tried = _ROUNDS, 1
     while True:
-        options = [search.fit(lengths, 0.0) for lengths in _without_a_corner(search, best)]
-        options.sort(key=lambda k: k.error)
-        for smaller in options[:_SHARPENED]:
-            made = search.sharpened(smaller.lengths, budget, rounds)
+        for lengths in _without_a_corner(search, best.lengths, budget)[:tried]:
+            made = search.sharpened(lengths, budget, rounds)
             if made.error <= budget:
-                best, rounds = made, _ROUNDS
+                best, rounds, tried = made, _ROUNDS, 1
                 break
         else:
-            if rounds == _LONG_ROUNDS:
+            if tried > 1:
                 return best
-            rounds = _LONG_ROUNDS
+            rounds, tried = _LONG_ROUNDS, _CORNERS
+            search.importance, search.normal = even(search.grid), search.start
 
 
 def _ranking(energy: Array) -> list[Index]:
@@ -160,17 +184,21 @@ def _ranking(energy: Array) -> list[Index]:
     return found
 
 
-def _without_a_corner(search: _Search, kept: Kept) -> Iterator[Index]:
-    """Yield the lengths without one corner, for the corners with the smallest coefficients."""
-    lengths = kept.lengths
-    if lengths.sum() > 1:
-        energy = search.energy(kept.dense)
-        classes, rest = np.nonzero(lengths)
-        worth = energy[classes, lengths[classes, rest] - 1, rest]
-        for place in np.argsort(worth, kind="stable")[:_CORNERS]:
-            out = lengths.copy()
-            out[classes[place], rest[place]] -= 1
-            yield out
+def _without_a_corner(search: _Search, lengths: Index, budget: float) -> list[Index]:
+    """Return the lengths without one corner, for each; first those without which squared errors grow least."""
+    if lengths.sum() == 1:
+        return []
+    corners = np.arange(search.first)[:, np.newaxis] == lengths[:, np.newaxis] - 1
+    classes, _, rest = np.nonzero(corners)
+    grown = search.normal.growths(_kept(lengths, search.first), corners.reshape(len(lengths), -1))
+    # What hardly changes errors is the last bits of the machine.
+    grown = significant(np.maximum(grown, _NO_GROWTH * budget**2), _ENERGY_BITS)
+    found = []
+    for place in np.argsort(grown, kind="stable"):
+        out = lengths.copy()
+        out[classes[place], rest[place]] -= 1
+        found.append(out)
+    return found
 
 
 def _with_a_corner(lengths: Index, first: int) -> Iterator[Index]:

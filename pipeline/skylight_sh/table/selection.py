@@ -18,7 +18,7 @@ from skylight_sh.fit.minimax import even, metric
 from skylight_sh.fit.quantisation import smallest
 from skylight_sh.fit.sampled import Sampled
 from skylight_sh.fit.sweep import Worst
-from skylight_sh.fit.term_selection import fewest
+from skylight_sh.fit.term_selection import Known, fewest
 from skylight_sh.reproducible import significant, to_grid
 from skylight_sh.runtime import Specification, Surroundings, Table
 from skylight_sh.sphere import Harmonics
@@ -278,9 +278,9 @@ def _both(data: SearchData, bands: int) -> tuple[Sampled, Sampled]:
 
 
 def _fast(
-    request: Request, aim: float, data: SearchData, known: Index | None
-) -> tuple[Table | None, list[Point], Index | None]:
-    """Return the table, all tried, and its lengths; ``known`` are those of a try that float32 carried over its budget."""
+    request: Request, aim: float, data: SearchData, known: Known | None
+) -> tuple[Table | None, list[Point], Known | None]:
+    """Return the table, all tried, and its terms; ``known`` are those of a try that float32 carried over its budget."""
     bands, dtype, first = request.bands, request.dtype, data.degrees[0] + 1
     best, tried = fewest(*_both(data, bands), data.shape, first, aim, known)
     rest = tuple(d + 1 for d in data.degrees[1:])
@@ -291,7 +291,7 @@ def _fast(
         return tables.fast(data.spec, shaped, lengths.reshape(-1, *rest), bands, dtype, data.surroundings.get(bands))
 
     points = [(float(bytes_of(table(k.lengths, empty))), k.error) for k in tried]
-    return (table(best.lengths, best.dense), points, best.lengths) if best else (None, points, None)
+    return (table(best.lengths, best.dense), points, (best, tried)) if best else (None, points, None)
 
 
 def _packed(request: Request, aim: float, data: SearchData) -> tuple[Table | None, list[Point]]:
