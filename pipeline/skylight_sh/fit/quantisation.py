@@ -17,7 +17,7 @@ Array = NDArray[np.float64]
 Index = NDArray[np.int64]
 
 # Staircases keep what exceeds this many steps. Which one wins is a matter of chance within a few per cent.
-_THRESHOLDS = (0.75, 1.05)
+_THRESHOLDS = (0.75, 0.9, 1.05)
 _ROUNDS = 4
 _AIMED = 2
 _SCAN = np.geomspace(0.95, 1.2, 8)

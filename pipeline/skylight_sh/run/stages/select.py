@@ -31,6 +31,8 @@ from skylight_sh.table.selection import Point, SearchData, Selected
 
 # One in so many of the sets that selection sees tells which degrees are enough.
 _SWEPT_EACH = 8
+# Products of basis functions up to which a search is short calls, half of them Python's own.
+_FEW_TERMS = 256
 
 
 def make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
@@ -40,7 +42,9 @@ def make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
     made = {request.name: selection.given(request, dense, data) for request in asked if request.degrees is not None}
     jobs = [partial(selection.select, group, data) for group in selection.groups(asked)]
     run = config.run
-    results = map_tasks(_call, jobs, executor=run.executor, workers=run.workers, advance=advance)
+    # Threads that each do little at once wait for each other, and cost more than they save.
+    alone = run.executor == "threads" and np.prod(np.add(data.degrees, 1)) <= _FEW_TERMS
+    results = map_tasks(_call, jobs, executor=run.executor, workers=1 if alone else run.workers, advance=advance)
     fronts: dict[tuple[int, str], list[Point]] = {}
     for found in (one for group in results for one in group):
         made[found.request.name] = found.table
