@@ -8,13 +8,23 @@ typedef struct {
     int count;
 } skylight_sh_bits;
 
-static inline void skylight_sh_fill(skylight_sh_bits *b)
+/* Holds at least 56 bits, at most 63, so that there is a zero above them; past the stream's end there
+   are zeros. What stands above `count` bits is the stream's too, and is read again. */
+SKYLIGHT_SH_INLINE void skylight_sh_fill(skylight_sh_bits *b)
 {
     const unsigned char *const end = skylight_sh_stream + sizeof skylight_sh_stream;
-    /* At most 63 bits, so that there is a zero above them. */
-    while (b->count < 56 && b->next < end) {
-        b->held |= (uint64_t)*b->next++ << b->count;
-        b->count += 8;
+    const unsigned char *const p = b->next;
+    if (end - p >= 8) {
+        /* One load, whatever the order of a machine's bytes. */
+        const uint64_t word = (uint64_t)p[0] | (uint64_t)p[1] << 8 | (uint64_t)p[2] << 16 |
+                              (uint64_t)p[3] << 24 | (uint64_t)p[4] << 32 | (uint64_t)p[5] << 40 |
+                              (uint64_t)p[6] << 48 | (uint64_t)p[7] << 56;
+        b->held = (b->held | word << b->count) & (UINT64_MAX >> 1);
+        b->next += (63 - b->count) >> 3;
+        b->count |= 56;
+    } else {
+        for (; b->count < 56; b->count += 8)
+            if (b->next < end) b->held |= (uint64_t)*b->next++ << b->count;
     }
 }
 
@@ -41,24 +51,45 @@ static inline int skylight_sh_ones(uint64_t held)
 #endif
 }
 
-/* A Rice code of `low` low bits: ones, a zero, the low bits; then folded back: 0, 1, 2, 3 -> 0, -1,
-   1, -2. */
-static inline int skylight_sh_rice(skylight_sh_bits *b, int low)
+/* The bits after a Rice code that is longer than what is held, and its number, folded. */
+static inline skylight_sh_bits skylight_sh_long(skylight_sh_bits b, int low, unsigned *folded)
 {
-    unsigned high = 0, folded;
+    unsigned high = 0;
     int ones;
-    if (b->count < 32) skylight_sh_fill(b);
-    while ((ones = skylight_sh_ones(b->held)) >= b->count) {
-        high += (unsigned)b->count;
-        b->held = 0;
-        b->count = 0;
-        skylight_sh_fill(b);
+    while ((ones = skylight_sh_ones(b.held)) >= b.count) {
+        high += (unsigned)b.count;
+        b.held = 0;
+        b.count = 0;
+        skylight_sh_fill(&b);
     }
     high += (unsigned)ones;
-    b->held = b->held >> ones >> 1;
-    b->count -= ones + 1;
-    folded = (high << low) | skylight_sh_fixed(b, low);
-    return folded & 1 ? -(int)(folded >> 1) - 1 : (int)(folded >> 1);
+    b.held = b.held >> ones >> 1;
+    b.count -= ones + 1;
+    *folded = (high << low) | skylight_sh_fixed(&b, low);
+    return b;
+}
+
+/* A Rice code of `low` low bits: ones, a zero, the low bits; then folded back: 0, 1, 2, 3 -> 0, -1,
+   1, -2. */
+SKYLIGHT_SH_INLINE int skylight_sh_rice(skylight_sh_bits *b, int low)
+{
+    unsigned folded;
+    int ones, size;
+    if (b->count < 32) skylight_sh_fill(b);
+    ones = skylight_sh_ones(b->held);
+    size = ones + 1 + low;
+    if (size <= b->count) {
+        /* All of it is held: what follows waits for one shift. */
+        const uint64_t rest = b->held >> ones >> 1;
+        folded = ((unsigned)ones << low) | (unsigned)(rest & ((UINT64_C(1) << low) - 1));
+        b->held >>= size;
+        b->count -= size;
+    } else {
+        unsigned found;
+        *b = skylight_sh_long(*b, low, &found);
+        folded = found;
+    }
+    return (int)(folded >> 1) ^ -(int)(folded & 1);
 }
 
 /* The stream from its start. */
@@ -80,7 +111,7 @@ static inline void skylight_sh_next_profile(skylight_sh_bits *b, int profile[32]
 }
 
 /* The length of the next run, by that of the same class and product at the weight before. */
-static inline int skylight_sh_next_length(skylight_sh_bits *b, signed char *length)
+SKYLIGHT_SH_INLINE int skylight_sh_next_length(skylight_sh_bits *b, signed char *length)
 {
     const int found = *length + skylight_sh_rice(b, 0);
     *length = (signed char)found;
@@ -88,7 +119,7 @@ static inline int skylight_sh_next_length(skylight_sh_bits *b, signed char *leng
 }
 
 /* The next number, of `size` half low bits. */
-static inline int skylight_sh_next_number(skylight_sh_bits *b, int size)
+SKYLIGHT_SH_INLINE int skylight_sh_next_number(skylight_sh_bits *b, int size)
 {
     return skylight_sh_rice(b, size > 0 ? size >> 1 : 0);
 }
