@@ -1,4 +1,4 @@
-"""What pyproject.toml cannot say: the folder ``configs/`` becomes ``skylight_sh/configs/`` of a built package."""
+"""What pyproject.toml cannot say: what of the source's root becomes part of a built package."""
 
 import shutil
 from pathlib import Path
@@ -6,9 +6,12 @@ from pathlib import Path
 from setuptools import setup
 from setuptools.command.build_py import build_py
 
+# The released benchmark's figures, which reports show.
+_SPEED = Path("reports", "reference", "speed.json")
+
 
 class BuildWithConfigs(build_py):
-    """Copies the shipped configs and their pictures; an editable install reads them where they are."""
+    """Copies the shipped configs, their pictures and the released figures; an editable install reads them where they are."""
 
     def run(self) -> None:
         """Build as usual, from nothing, then copy: what an earlier build has left is no part of this one."""
@@ -26,7 +29,8 @@ class BuildWithConfigs(build_py):
 
     def _configs(self) -> dict[str, str]:
         files = sorted(path for path in Path("configs").iterdir() if path.is_file())
-        return {str(path): str(Path(self.build_lib, "skylight_sh", path)) for path in files}
+        found = {str(path): str(Path(self.build_lib, "skylight_sh", path)) for path in files}
+        return found | {str(_SPEED): str(Path(self.build_lib, "skylight_sh", _SPEED.name))}
 
 
 setup(cmdclass={"build_py": BuildWithConfigs})

@@ -21,6 +21,7 @@ from skylight_sh import __version__, runtime
 from skylight_sh.export.engine_profiles import PROFILES
 from skylight_sh.run.runner import Result
 
+SPEED = Path("reports", "reference", "speed.json")
 SOURCE = ("pipeline", "configs", "pyproject.toml", "setup.py", "MANIFEST.in", "README.md", "LICENSE")
 OFFLINE = ["--quiet", "--disable-pip-version-check", "--no-deps", "--no-index"]
 # All that a base installation may load of ours to print a sky in an engine's form.
@@ -64,6 +65,8 @@ def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
     for name in SOURCE:
         copy = shutil.copytree if (ROOT / name).is_dir() else shutil.copy
         copy(ROOT / name, place / name)
+    (place / SPEED).parent.mkdir(parents=True)
+    shutil.copy(ROOT / SPEED, place / SPEED)
     for cache in (place / "pipeline").rglob("__pycache__"):
         shutil.rmtree(cache)
     # Of a module that is no more.
@@ -106,7 +109,7 @@ def test_the_wheel_holds_every_file_of_the_package_and_every_shipped_config(whee
     package = ROOT / "pipeline" / "skylight_sh"
     files = {path.relative_to(package).as_posix() for path in package.rglob("*") if path.is_file()}
     shipped = {f"configs/{path.name}" for path in (ROOT / "configs").iterdir()}
-    assert held == {name for name in files if "__pycache__" not in name} | shipped
+    assert held == {name for name in files if "__pycache__" not in name} | shipped | {"speed.json"}
     needed = [line.split()[1] for line in metadata.splitlines() if line.startswith("Requires-Dist:") and "extra" not in line]
     assert sorted(name.partition(">")[0] for name in needed) == ["click", "numpy"]
 

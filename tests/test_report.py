@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import re
 import struct
+from html.parser import HTMLParser
 from pathlib import Path
 
 import numpy as np
@@ -12,8 +13,15 @@ import pandas as pd
 import pytest
 from conftest import SMALL, run_quietly
 from PIL import Image
+from skylight_sh import MissingExtraError, runtime, shipped
 from skylight_sh.config import load
+from skylight_sh.report import timings
+from skylight_sh.report.choice import same_as
+from skylight_sh.report.origins import explained
+from skylight_sh.report.report_data import Entry
 from skylight_sh.report.style import percent
+from skylight_sh.report.titles import title
+from skylight_sh.run.provenance import settings
 from skylight_sh.run.runner import Result
 
 PICTURES = ("bands", "maps", "panoramas", "ringing", "gibbs", "encoding", "bytes", "degrees")
@@ -35,7 +43,159 @@ def test_page_stands_alone(small_run: Result) -> None:
     for row in small_run.summary["tables"]:
         assert row["name"] in page
         assert percent(row["e_mean"]) in page
-    assert "<script" not in page
+    assert page.count("<script") == 1
+
+
+class _Cells(HTMLParser):
+    """The words of each cell of a page's tables, and the numbers that they are sorted by."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.cells: list[str] = []
+        self.keys: list[str] = []
+        self._open = False
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        if tag in ("td", "th"):
+            self._open = True
+            self.cells.append("")
+            self.keys += [value or "" for name, value in attrs if name == "data-key"]
+
+    def handle_endtag(self, tag: str) -> None:
+        self._open = self._open and tag not in ("td", "th")
+
+    def handle_data(self, data: str) -> None:
+        if self._open:
+            self.cells[-1] += data
+
+
+def _cells(page: str) -> _Cells:
+    found = _Cells()
+    found.feed(page)
+    return found
+
+
+def test_every_table_is_linked_and_no_cell_is_empty(small_run: Result) -> None:
+    page = (small_run.folder / "index.html").read_text(encoding="utf-8")
+    for row in small_run.summary["tables"]:
+        for file in ("skylight_sh.h", "skylight_sh.npz"):
+            assert f'href="{row["path"]}/{file}"' in page
+    found = _cells(page)
+    assert all(cell.strip() for cell in found.cells)
+    assert {"nan", "inf", "None"}.isdisjoint(found.cells)
+    numbers = [float(key) for key in found.keys]
+    assert len(numbers) >= 6 * len(small_run.summary["tables"])
+    assert np.all(np.isfinite(numbers))
+    for row in small_run.summary["tables"]:
+        assert f'data-key="{row["bytes"]}">{row["bytes"]:,}<' in page
+        assert row["e_mean"] in numbers
+
+
+def test_every_shipped_config_has_a_title_of_its_own() -> None:
+    told = {}
+    for name in shipped.names():
+        try:
+            config = load(shipped.find(name))
+            light = config.source.title
+        except MissingExtraError:
+            continue
+        told[name] = title(light, settings(config))
+        assert told[name].startswith(f"{name}: ")
+        assert "cd/m²" in told[name] or "lux" in told[name] or "zenith" in told[name]
+    assert len(told) > 30
+    assert len(set(told.values())) == len(told)
+    # A title tells what is in the scene, so that a few of one sky are told apart without their names.
+    assert "in lux" in told["mobile-diffuse"]
+    assert "turbidity fixed at 3" in told["fixed-weather"]
+    assert "sun's disc" in told["clear-day"]
+    assert "luminance alone" in told["high-latitude-winter"]
+
+
+def test_times_are_shown_of_the_very_table_alone(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def spread(ns: float) -> dict[str, object]:
+        return {"portable": {"ns": {"median": ns}}}
+
+    rows = [
+        {"name": "a", "kind": "table", "bytes": 100, "times": spread(12.3)},
+        {"name": "b-packed", "kind": "packed table", "bytes": 50, "times": spread(5000.0)},
+        {"name": "b-packed: unpack", "kind": "unpack", "bytes": 300, "times": spread(4900.0)},
+        {"name": "b-packed: unpacked table", "kind": "unpacked table", "bytes": 300, "times": spread(20.0)},
+        {"name": "a: direct", "kind": "direct", "bytes": 100, "times": spread(1.0)},
+    ]
+    told = {"machine": {"processor": "A processor", "compiler": "cc (some) 12"}, "candidates": rows}
+    (tmp_path / "speed.json").write_text(json.dumps(told), encoding="utf-8")
+    monkeypatch.setattr(shipped, "speed", lambda: tmp_path / "speed.json")
+    found = timings.released()
+    assert found.machine.startswith("A processor, cc -O3")
+    assert found.of("a", 100) == timings.Timing(12.3)
+    assert found.of("a", 101) is None
+    assert found.of("a: direct", 100) is None
+    assert found.of("b-packed", 50) == timings.Timing(5000.0, 4900.0, 20.0, 300)
+    monkeypatch.setattr(shipped, "speed", lambda: None)
+    assert timings.released().of("a", 100) is None
+
+
+def test_the_released_figures_are_those_that_reports_show() -> None:
+    told = json.loads((shipped.folder().parent / "reports" / "reference" / "speed.json").read_text(encoding="utf-8"))
+    found = timings.released()
+    assert told["machine"]["processor"] in found.machine
+    tables = [row for row in told["candidates"] if row["kind"] in ("table", "packed table")]
+    assert tables
+    for row in tables:
+        timing = found.of(row["name"], row["bytes"])
+        assert timing is not None
+        assert timing.ns == row["times"]["portable"]["ns"]["median"]
+        assert (timing.unpack is not None) == (row["kind"] == "packed table")
+
+
+def _luminance(colour: str) -> float:
+    shares = [int(colour[i : i + 2], 16) / 255 for i in (1, 3, 5)]
+    red, green, blue = (s / 12.92 if s <= 0.04045 else ((s + 0.055) / 1.055) ** 2.4 for s in shares)
+    return 0.2126 * red + 0.7152 * green + 0.0722 * blue
+
+
+def test_both_schemes_have_enough_contrast_to_be_read(small_run: Result) -> None:
+    page = (small_run.folder / "index.html").read_text(encoding="utf-8")
+    schemes = [
+        dict(re.findall(r"--(\w+): (#[0-9a-f]{6})", block)) for block in re.findall(r":root \{(.*?)\}", page, re.DOTALL)
+    ]
+    assert len(schemes) == 3
+    for scheme in schemes[:2]:
+        for ink in ("ink", "soft", "mark"):
+            for paper in ("paper", "tint", "best"):
+                light, dark = sorted((_luminance(scheme[ink]), _luminance(scheme[paper])), reverse=True)
+                assert (light + 0.05) / (dark + 0.05) >= 4.5, (ink, paper)
+
+
+def test_one_table_under_two_names_is_told(small_run: Result) -> None:
+    tables = {
+        row["name"]: runtime.read(small_run.folder / row["path"] / "skylight_sh.npz") for row in small_run.summary["tables"]
+    }
+    zero = np.zeros((2, 1, 1))
+    entries = [Entry(name, table, zero, zero, zero[0], zero) for name, table in tables.items()]
+    again = [Entry(f"{one.name}-again", one.table, zero, zero, zero[0], zero) for one in entries]
+    assert same_as(entries) == {}
+    assert same_as([*entries, *again]) == {f"{name}-again": name for name in tables}
+
+
+def test_the_papers_error_is_explained_by_the_trials_own_figures() -> None:
+    trials = {
+        "solver": np.array(["svd", "qr", "normal"]),
+        "solver_e_mean": np.array([[0.003, 2.0], [0.003, 2.0], [3.7, 5.0]]),
+        "samples": np.array([100, 400, 1600]),
+        "own": np.array([0.02, 0.01, 0.005]),
+        "truth": np.array([0.2, 0.1, 0.05]),
+        "m_below_0": np.array([0.026, 0.013, 0.0065]),
+        "rel_l2": np.array([0.106, 0.053, 0.0265]),
+    }
+    words = " ".join(explained(trials, 0.001))
+    assert "0.3 %" in words
+    assert "370 %" in words
+    assert "About 400 to 1,600 samples" in words
+    assert "neither polynomials nor degrees" in words
+    # What the trials do not reach is not claimed.
+    trials["rel_l2"] = np.array([0.9, 0.8, 0.7])
+    assert "neither polynomials nor degrees" not in " ".join(explained(trials, 0.001))
 
 
 def test_page_escapes_what_the_config_says(tmp_path: Path) -> None:
@@ -99,4 +259,4 @@ def test_one_axis_and_one_channel_have_their_pictures(tmp_path: Path) -> None:
 
 
 def test_percent_never_shows_exponents() -> None:
-    assert [percent(v) for v in (0.015, 1e-7, 12.3, 0.0)] == ["1.5 %", "0.00001 %", "1230 %", "0 %"]
+    assert [percent(v) for v in (0.015, 1e-7, 12.3, 0.0)] == ["1.5 %", "0.00001 %", "1,230 %", "0 %"]

@@ -1,6 +1,6 @@
-"""Configs that come with the package: their names, what each is, and where its file and its pictures lie.
+"""What comes with the package beside its code: configs, their names and pictures, and the released benchmark's figures.
 
-One folder, ``configs/`` at the root of the source, which a build puts into the package under the same name.
+``configs/`` at the root of the source, and ``reports/reference/speed.json``, which a build puts into the package.
 """
 
 from __future__ import annotations
@@ -44,6 +44,16 @@ def path(name: str) -> Path | None:
     """Return the file of the shipped config ``name``; None where none has that name, as no path has."""
     place = folder() / f"{name}{_SUFFIX}"
     return place if _NAME.fullmatch(name) and place.is_file() else None
+
+
+def speed() -> Path | None:
+    """Return the file of the released benchmark's figures: the package's own, or the checkout's; None where neither is.
+
+    >>> speed().name
+    'speed.json'
+    """
+    places = (_PACKAGE / "speed.json", _PACKAGE.parents[1] / "reports" / "reference" / "speed.json")
+    return next((place for place in places if place.is_file()), None)
 
 
 def find(text: str) -> Path:

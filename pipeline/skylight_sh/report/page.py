@@ -3,30 +3,47 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
-from skylight_sh.report import savings
+from skylight_sh.report import choice, origins, savings, titles
+from skylight_sh.report.cells import Cell, fraction, number, text
 from skylight_sh.report.figures import PICTURES
 from skylight_sh.report.report_data import Entry, ReportData
-from skylight_sh.report.style import percent
+from skylight_sh.report.style import count, percent
+from skylight_sh.report.timings import Timings
+from skylight_sh.runtime import Packed
 from skylight_sh.table.size import bytes_of, coefficients_of
 
+# Beyond this condition number double precision holds no digit of what normal equations need.
+_NOISE = 1e15
 
-def html(data: ReportData, pictures: Sequence[str]) -> bytes:
-    """Return the page; ``pictures`` names the figures that lie beside it."""
+
+def html(data: ReportData, pictures: Mapping[str, tuple[int, int]], timings: Timings) -> bytes:
+    """Return the page; ``pictures`` names the figures that lie beside it, with their width and height as shown."""
+    choices = choice.choices(data, timings)
     page = _TEMPLATES.get_template("index.html.j2").render(
         name=data.name,
-        title=data.light.title,
-        best=_row(data, data.best, data.best.table.bands),
-        tables=[_row(data, e, e.table.bands) for e in data.winners],
-        references=[_row(data, e, min(e.table.bands, data.best.table.bands)) for e in data.references],
+        title=titles.title(data.light.title, data.settings),
+        ranges=titles.ranges(data.settings, {axis.name: axis.unit for axis in data.axes}),
+        quantity=titles.quantity(data.settings),
+        channels=", ".join(data.light.channels),
+        azimuth=data.best.table.spec.azimuth is None,
+        best=data.best,
+        scale=choice.scale(data),
+        choices=[_choice(data, one, timings) for one in choices],
+        tables=_tables(data, timings),
+        references=_references(data),
+        noisy=any(_is_noise(data, entry) for entry in data.references),
+        machine=timings.machine if any(_timed(e, timings) for e in data.winners) else "",
+        packed=any(isinstance(e.table.body, Packed) for e in data.winners),
         conventions=data.conventions,
-        pictures=[(name, PICTURES[name]) for name in pictures],
+        pictures=[(name, PICTURES[name], shown) for name, shown in pictures.items()],
         degrees=_degrees(data),
+        explained=origins.explained(data.origins, data.best.headline[0]) if data.origins is not None else [],
         facts=_facts(data),
         skipped=savings.rows(data),
         settings=json.dumps(data.settings, indent=2),
@@ -34,44 +51,110 @@ def html(data: ReportData, pictures: Sequence[str]) -> bytes:
     return page.encode()
 
 
-def _row(data: ReportData, entry: Entry, bands: int) -> dict[str, Any]:
-    e_mean, e_max = entry.headline_at(bands)
-    strict = [percent(float(e[:, bands - 1].max())) for e in entry.e_mean[1:]]
+def _timed(entry: Entry, timings: Timings) -> float | None:
+    timing = timings.of(entry.name, bytes_of(entry.table))
+    return timing.ns if timing else None
+
+
+def _files(data: ReportData, entry: Entry) -> dict[str, str]:
+    place = "export" if entry.name == data.recommended else f"export/{entry.name}"
+    return {"C": f"{place}/skylight_sh.h", "NPZ": f"{place}/skylight_sh.npz"}
+
+
+def _choice(data: ReportData, one: choice.Choice, timings: Timings) -> dict[str, Any]:
+    entry, ns = one.entry, _timed(one.entry, timings)
     return {
+        "needs": one.needs,
         "name": entry.name,
-        "bands": bands,
-        "basis": entry.table.spec.basis,
-        "degrees": ", ".join(map(str, entry.table.degrees)),
-        "dtype": str(entry.table.dtype),
-        "layout": entry.table.body.kind,
-        "coefficients": coefficients_of(entry.table),
-        "bytes": bytes_of(entry.table, bands),
-        "e_mean": percent(e_mean),
-        "e_max": percent(e_max),
-        "stricter": strict,
-        "rel_l2": percent(float(entry.rel_l2[:, bands - 1].max())),
-        "worst": data.describe(entry.worst),
-        "condition": None if entry.condition is None else f"{entry.condition:.2g}",
+        "bytes": count(bytes_of(entry.table)),
+        "ns": None if ns is None else count(ns),
+        "error": percent(entry.headline[0]),
+        "means": one.means,
+        "files": _files(data, entry),
     }
+
+
+def _tables(data: ReportData, timings: Timings) -> list[dict[str, Any]]:
+    """Return a row a winner: its name, its files and its cells by their headings, the decisive ones first."""
+    twins = choice.same_as(data.winners)
+    anyone = any(_timed(entry, timings) is not None for entry in data.winners)
+    return [
+        {
+            "name": entry.name,
+            "twin": twins.get(entry.name),
+            "best": entry.name == data.recommended,
+            "files": _files(data, entry),
+            "cells": _cells(data, entry, _timed(entry, timings), anyone),
+        }
+        for entry in data.winners
+    ]
+
+
+def _cells(data: ReportData, entry: Entry, ns: float | None, timed: bool) -> dict[str, Cell]:
+    table, bands = entry.table, entry.table.bands
+    e_mean, e_max = entry.headline
+    found = {"bytes": number(bytes_of(table))}
+    if timed:
+        found["ns a call"] = number(ns) if ns is not None else text("not timed")
+    found["E_mean"] = fraction(e_mean)
+    found["E_max"] = fraction(e_max)
+    found["bands"] = number(bands)
+    found["layout"] = text(table.body.kind)
+    found["degrees"] = text(", ".join(map(str, table.degrees)))
+    found["coefficients"] = number(coefficients_of(table))
+    found["numbers"] = text(str(table.dtype) if not isinstance(table.body, Packed) else "packed bits")
+    for convention, errors in zip(data.conventions[1:], entry.e_mean[1:], strict=True):
+        found[f"E_mean ({convention})"] = fraction(float(errors[:, bands - 1].max()))
+    found["relative L2"] = fraction(float(entry.rel_l2[:, bands - 1].max()))
+    found["worst at"] = text(data.describe(entry.worst))
+    return found
+
+
+def _is_noise(data: ReportData, entry: Entry) -> bool:
+    """Say whether a fit by the normal equations is what rounding leaves of a system that double precision cannot hold."""
+    solvers = {told["name"]: told["solver"] for told in data.settings["fit"]["references"]}
+    return solvers.get(entry.name) == "normal" and entry.condition is not None and entry.condition > _NOISE
+
+
+def _references(data: ReportData) -> list[dict[str, Any]]:
+    found = []
+    for entry in data.references:
+        table, bands = entry.table, min(entry.table.bands, data.best.table.bands)
+        e_mean, e_max = entry.headline_at(bands)
+        cells = {
+            "bytes": number(bytes_of(table, bands)),
+            "E_mean": fraction(e_mean),
+            "E_max": fraction(e_max),
+            "bands": number(bands),
+            "basis": text(table.spec.basis),
+            "degrees": text(", ".join(map(str, table.degrees))),
+            "numbers": text(str(table.dtype)),
+            "condition number": text("not told")
+            if entry.condition is None
+            else Cell(f"{entry.condition:.2g}", entry.condition),
+            "worst at": text(data.describe(entry.worst)),
+        }
+        found.append({"name": entry.name, "noisy": _is_noise(data, entry), "cells": cells})
+    return found
 
 
 def _facts(data: ReportData) -> dict[str, str]:
     sets = int(np.prod([nodes.size for nodes in data.grid]))
     truth = data.settings["truth"]
-    random = truth["random"]
     return {
         "Light": data.light.title,
         "Axes": "; ".join(f"{a.name} [{a.low:.6g}, {a.high:.6g}] {a.unit}, map {a.map}" for a in data.axes),
-        "Truth": f"{data.rule['rule']} quadrature, {data.rule['nodes']} nodes, estimated error "
+        "Truth": f"{data.rule['rule']} quadrature, {count(int(data.rule['nodes']))} nodes, estimated error "
         f"{data.rule['estimate']:.1e} of each set's largest weight ({data.rule['tolerance']:.1e} allowed)",
-        "Seen by selection": f"{sets} grid sets that share no interior node with the fit grid, and {random} random sets",
-        "Errors": f"measured on {data.held_out} held-out sets that nothing else reads: {truth['held_out']} scrambled "
-        f"Sobol sets, {truth['held_out_edge']} on each edge of the ranges, and the corners",
+        "Seen by selection": f"{count(sets)} grid sets that share no interior node with the fit grid, and "
+        f"{count(truth['random'])} random sets",
+        "Errors": f"measured on {count(data.held_out)} held-out sets that nothing else reads: {count(truth['held_out'])} "
+        f"scrambled Sobol sets, {count(truth['held_out_edge'])} on each edge of the ranges, and the corners",
         "Stored orders": "m >= 0 (the light is mirror-symmetric about the sun's azimuth)"
         if data.harmonics.mirrored
         else "all",
         "Condition number of the fit": f"{data.condition:.3g}",
-        "Least luminance over all sets": f"{data.least.min():.5g} cd/m2",
+        "Least luminance over all sets": f"{data.least.min():.5g} cd/m²",
     }
 
 

@@ -29,7 +29,8 @@ SERIES = (BLUE, RED, GREEN, PURPLE, ORANGE, SKY, BLACK)
 MARKERS = ("o", "s", "^", "D", "v", "P", "X")
 ERROR_MAP = "viridis"
 SIGNED_MAP = "PuOr"
-DPI = 110
+# Pictures have two by two pixels for each that a page shows.
+DPI = 220
 
 
 def figure(width: float, height: float) -> Figure:
@@ -101,12 +102,51 @@ def png(drawn: Figure) -> bytes:
     return out.getvalue()
 
 
+def shown(drawn: Figure) -> tuple[int, int]:
+    """Return the width and height in pixels at which a page shows a figure: each has two by two of the picture's."""
+    width, height = (round(float(inches) * drawn.dpi / 2) for inches in drawn.get_size_inches())
+    return width, height
+
+
 def percent_ticks() -> FuncFormatter:
     """Return a formatter for axes of fractions, labelled in per cent."""
     return FuncFormatter(lambda value, _: percent(float(value)))
 
 
 def percent(value: float) -> str:
-    """Return a fraction as per cent to three digits, never in exponents."""
-    shown = f"{100 * value:.3g}"
-    return f"{shown if 'e' not in shown else np.format_float_positional(float(shown), trim='-')} %"
+    """Return a fraction as per cent to three digits, never in exponents, with commas for thousands.
+
+    >>> percent(0.000965), percent(12.345)
+    ('0.0965 %', '1,230 %')
+    """
+    return f"{plain(100 * value)} %"
+
+
+def plain(value: float, digits: int = 3) -> str:
+    """Return a number to so many digits, never in exponents, with commas for thousands.
+
+    >>> [plain(v) for v in (-100.0, 0.0, 1e-7, 131712.0)], plain(2.5, 2)
+    (['-100', '0', '0.0000001', '132,000'], '2.5')
+    """
+    rounded = float(f"{value:.{digits}g}")
+    if abs(rounded) >= 1000:
+        return f"{rounded:,.0f}"
+    return str(np.format_float_positional(rounded, trim="-"))
+
+
+def count(value: float) -> str:
+    """Return a count with commas for thousands; what is no whole number to three digits.
+
+    >>> count(131712), count(90.1)
+    ('131,712', '90.1')
+    """
+    return f"{value:,.0f}" if float(value).is_integer() else plain(value)
+
+
+def nanoseconds(value: float) -> str:
+    """Return a time in nanoseconds in the unit that suits it.
+
+    >>> nanoseconds(145.0), nanoseconds(6870.0)
+    ('145 ns', '6.87 µs')
+    """
+    return f"{plain(value)} ns" if value < 1000 else f"{plain(value / 1000)} µs"

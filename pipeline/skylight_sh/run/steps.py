@@ -13,7 +13,7 @@ from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import Any
 
-from skylight_sh import __version__
+from skylight_sh import __version__, shipped
 from skylight_sh.config.scenes_schema import ScenesSection
 from skylight_sh.config.schema import Config
 from skylight_sh.config.section import Section
@@ -294,7 +294,8 @@ def _export(config: Config) -> Iterator[Step]:
 
 
 def _report(config: Config) -> Iterator[Step]:
-    parameters = {"config": settings(config), "drawing": drawing()}
+    speed = shipped.speed()
+    parameters = {"config": settings(config), "drawing": drawing(), "speed": _sum(speed) if speed else ""}
     explained = ((ORIGINS,) if shows_origins(config) else ()) + ((LIGHTING,) if shows_lighting(config) else ())
     explained += shown_scenes(config)
     needed = (RULE, VERIFICATION, "fit", "select", "measure", *_searched(config), *_surrounded(config), *explained)
@@ -321,9 +322,9 @@ def _reader() -> str:
         return ""
 
 
-def _sum(picture: Path) -> str:
-    """Return the SHA-256 of a picture, or nothing where it cannot be read: the step then tells why."""
+def _sum(file: Path) -> str:
+    """Return the SHA-256 of a file, or nothing where it cannot be read: the step then tells why."""
     try:
-        return hashlib.sha256(picture.read_bytes()).hexdigest()
+        return hashlib.sha256(file.read_bytes()).hexdigest()
     except OSError:
         return ""

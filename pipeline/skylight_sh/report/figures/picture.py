@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 class Picture:
     """A picture's title, what it shows, and how it is drawn (None where there is nothing to show).
 
+    ``see`` is the one sentence that says what to look at, ``caption`` all that it takes to read the picture.
     ``files`` returns further files of the report by name: the numbers that the picture shows, say.
     """
 
@@ -23,3 +24,4 @@ class Picture:
     caption: str
     draw: Callable[[ReportData], Figure | None]
     files: Callable[[ReportData], Mapping[str, bytes]] = lambda _: {}
+    see: str = ""

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from skylight_sh.config.schema import Config
 from skylight_sh.config.wanted import table_names
 from skylight_sh.quadrature import sampling
-from skylight_sh.report import errors_csv, page, style
+from skylight_sh.report import errors_csv, page, style, timings
 from skylight_sh.report.figures import PICTURES
 from skylight_sh.report.report_data import Entry, ReportData, Sweep
 from skylight_sh.run.config_axes import axes_of, harmonics_of
@@ -32,7 +32,7 @@ def make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
     wanted = [name for name in PICTURES if name in config.report.figures]
     files = {"errors.csv": errors_csv.csv(data)}
     files |= {"references.csv": errors_csv.references_csv(data)} if data.references else {}
-    shown = []
+    shown = {}
     for done, name in enumerate(wanted):
         advance(done, len(wanted))
         picture = PICTURES[name]
@@ -40,8 +40,8 @@ def make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
         files |= picture.files(data)
         if figure is not None:
             files[f"figures/{name}.png"] = style.png(figure)
-            shown.append(name)
-    files["index.html"] = page.html(data, shown)
+            shown[name] = style.shown(figure)
+    files["index.html"] = page.html(data, shown, timings.released())
     return to_dataset(files)
 
 
