@@ -95,36 +95,53 @@ static inline void skylight_sh_sum_suns(
     skylight_sh_lanes others[SKYLIGHT_SH_GROUPS][SKYLIGHT_SH_OTHERS],
     skylight_sh_lanes sums[SKYLIGHT_SH_CLASSES][SKYLIGHT_SH_WIDTH][SKYLIGHT_SH_GROUPS])
 {
-    int i, g, t;
+    int i, t;
     for (i = 0; i < SKYLIGHT_SH_WIDTH; ++i) {
 #define SKYLIGHT_SH_CLASS(which, polynomials) \
     { \
+        const int which_class = (which); \
         skylight_sh_lanes total[SKYLIGHT_SH_GROUPS]; \
-        polynomials \
-        for (g = 0; g < SKYLIGHT_SH_GROUPS; ++g) sums[which][i][g] = total[g]; \
+        polynomials SKYLIGHT_SH_EACH(SKYLIGHT_SH_SUM) \
     }
-#define SKYLIGHT_SH_NOTHING \
-    for (g = 0; g < SKYLIGHT_SH_GROUPS; ++g) total[g] = skylight_sh_spread(0);
+#define SKYLIGHT_SH_SUM(g) \
+    if ((g) < SKYLIGHT_SH_GROUPS) sums[which_class][i][g] = total[g];
+#define SKYLIGHT_SH_NOTHING SKYLIGHT_SH_EACH(SKYLIGHT_SH_ZERO)
+#define SKYLIGHT_SH_ZERO(g) \
+    if ((g) < SKYLIGHT_SH_GROUPS) total[g] = skylight_sh_spread(0);
 #define SKYLIGHT_SH_POLYNOMIAL(begin, count, other) \
     { \
         const float *term = rows + ((begin) + (count) - 1) * SKYLIGHT_SH_WIDTH + i; \
-        skylight_sh_lanes sum[SKYLIGHT_SH_GROUPS]; \
-        for (g = 0; g < SKYLIGHT_SH_GROUPS; ++g) sum[g] = skylight_sh_spread(*term); \
+        skylight_sh_lanes sum[SKYLIGHT_SH_GROUPS], number = skylight_sh_spread(*term); \
+        SKYLIGHT_SH_EACH(SKYLIGHT_SH_LAST) \
         for (t = 1; t < (count); ++t) { \
             term -= SKYLIGHT_SH_WIDTH; \
-            for (g = 0; g < SKYLIGHT_SH_GROUPS; ++g) { \
-                skylight_sh_lanes v = skylight_sh_add(sum[g], u[g], skylight_sh_spread(*term)); \
-                SKYLIGHT_SH_IN_ORDER(v) \
-                sum[g] = v; \
-            } \
+            number = skylight_sh_spread(*term); \
+            SKYLIGHT_SH_EACH(SKYLIGHT_SH_STEP_DOWN) \
         } \
-        for (g = 0; g < SKYLIGHT_SH_GROUPS; ++g) \
-            total[g] = skylight_sh_add(sum[g], others[g][other], total[g]); \
+        { \
+            const int which_other = (other); \
+            SKYLIGHT_SH_EACH(SKYLIGHT_SH_TOTAL) \
+        } \
     }
+#define SKYLIGHT_SH_LAST(g) \
+    if ((g) < SKYLIGHT_SH_GROUPS) sum[g] = number;
+#define SKYLIGHT_SH_STEP_DOWN(g) \
+    if ((g) < SKYLIGHT_SH_GROUPS) { \
+        skylight_sh_lanes v = skylight_sh_add(sum[g], u[g], number); \
+        SKYLIGHT_SH_IN_ORDER(v) \
+        sum[g] = v; \
+    }
+#define SKYLIGHT_SH_TOTAL(g) \
+    if ((g) < SKYLIGHT_SH_GROUPS) total[g] = skylight_sh_add(sum[g], others[g][which_other], total[g]);
         SKYLIGHT_SH_POLYNOMIALS(SKYLIGHT_SH_CLASS, SKYLIGHT_SH_NOTHING, SKYLIGHT_SH_POLYNOMIAL)
 #undef SKYLIGHT_SH_CLASS
 #undef SKYLIGHT_SH_NOTHING
 #undef SKYLIGHT_SH_POLYNOMIAL
+#undef SKYLIGHT_SH_SUM
+#undef SKYLIGHT_SH_ZERO
+#undef SKYLIGHT_SH_LAST
+#undef SKYLIGHT_SH_STEP_DOWN
+#undef SKYLIGHT_SH_TOTAL
     }
 }
 
@@ -175,17 +192,27 @@ static inline void skylight_sh_sum_sharing(
     skylight_sh_lanes sums[SKYLIGHT_SH_CLASSES][SKYLIGHT_SH_WIDTH][SKYLIGHT_SH_GROUPS])
 {
     static const unsigned char longest[SKYLIGHT_SH_CLASSES] = SKYLIGHT_SH_LONGEST;
-    int c, g, i, t, row = 0;
+    int c, i, t, row = 0;
     for (c = 0; c < SKYLIGHT_SH_CLASSES; ++c) {
         const int last = row + longest[c] - 1;
         for (i = 0; i < SKYLIGHT_SH_WIDTH; ++i) {
             skylight_sh_lanes sum[SKYLIGHT_SH_GROUPS];
-            for (g = 0; g < SKYLIGHT_SH_GROUPS; ++g)
-                sum[g] = skylight_sh_spread(last < row ? 0.0f : shared[last][i]);
-            for (t = last - 1; t >= row; --t)
-                for (g = 0; g < SKYLIGHT_SH_GROUPS; ++g)
-                    sum[g] = skylight_sh_add(sum[g], u[g], skylight_sh_spread(shared[t][i]));
-            for (g = 0; g < SKYLIGHT_SH_GROUPS; ++g) sums[c][i][g] = sum[g];
+            skylight_sh_lanes number = skylight_sh_spread(last < row ? 0.0f : shared[last][i]);
+#define SKYLIGHT_SH_LAST(g) \
+    if ((g) < SKYLIGHT_SH_GROUPS) sum[g] = number;
+#define SKYLIGHT_SH_STEP_DOWN(g) \
+    if ((g) < SKYLIGHT_SH_GROUPS) sum[g] = skylight_sh_add(sum[g], u[g], number);
+#define SKYLIGHT_SH_SUM(g) \
+    if ((g) < SKYLIGHT_SH_GROUPS) sums[c][i][g] = sum[g];
+            SKYLIGHT_SH_EACH(SKYLIGHT_SH_LAST)
+            for (t = last - 1; t >= row; --t) {
+                number = skylight_sh_spread(shared[t][i]);
+                SKYLIGHT_SH_EACH(SKYLIGHT_SH_STEP_DOWN)
+            }
+            SKYLIGHT_SH_EACH(SKYLIGHT_SH_SUM)
+#undef SKYLIGHT_SH_LAST
+#undef SKYLIGHT_SH_STEP_DOWN
+#undef SKYLIGHT_SH_SUM
         }
         row = last + 1;
     }

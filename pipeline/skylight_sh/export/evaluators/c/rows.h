@@ -8,6 +8,9 @@
 #define SKYLIGHT_SH_BLOCKS ((SKYLIGHT_SH_VECTORS(SKYLIGHT_SH_WIDTH) + 6) / 7)
 #define SKYLIGHT_SH_BLOCK \
     ((SKYLIGHT_SH_VECTORS(SKYLIGHT_SH_WIDTH) + SKYLIGHT_SH_BLOCKS - 1) / SKYLIGHT_SH_BLOCKS)
+/* What is done for each vector of a block: written out, since a compiler that keeps loops keeps their
+   vectors in memory. */
+#define SKYLIGHT_SH_EACH(DO) DO(0) DO(1) DO(2) DO(3) DO(4) DO(5) DO(6) DO(7)
 #endif
 #if SKYLIGHT_SH_HAS_POWERS
 #ifdef SKYLIGHT_SH_LANES
@@ -26,39 +29,48 @@ SKYLIGHT_SH_INLINE void skylight_sh_sum_block(const skylight_sh_real *rows, int 
                                               skylight_sh_real *sums)
 {
     const skylight_sh_lanes power = skylight_sh_spread(u);
-    int i, k;
+    int i;
 #define SKYLIGHT_SH_CLASS(which, polynomials) \
     if (class_ == (which)) { \
         skylight_sh_lanes total[SKYLIGHT_SH_BLOCK]; \
-        polynomials \
-        for (k = 0; k < SKYLIGHT_SH_BLOCK; ++k) \
-            memcpy(sums + k * SKYLIGHT_SH_LANES, &total[k], sizeof total[k]); \
+        polynomials SKYLIGHT_SH_EACH(SKYLIGHT_SH_SUM) \
     }
-#define SKYLIGHT_SH_NOTHING \
-    for (k = 0; k < SKYLIGHT_SH_BLOCK; ++k) total[k] = skylight_sh_spread(0);
+#define SKYLIGHT_SH_SUM(k) \
+    if ((k) < SKYLIGHT_SH_BLOCK) memcpy(sums + (k) * SKYLIGHT_SH_LANES, &total[k], sizeof total[k]);
+#define SKYLIGHT_SH_NOTHING SKYLIGHT_SH_EACH(SKYLIGHT_SH_ZERO)
+#define SKYLIGHT_SH_ZERO(k) \
+    if ((k) < SKYLIGHT_SH_BLOCK) total[k] = skylight_sh_spread(0);
 #define SKYLIGHT_SH_POLYNOMIAL(start, count, other) \
     { \
         const skylight_sh_real *term = rows + ((start) + (count) - 1) * SKYLIGHT_SH_WIDTH; \
         const skylight_sh_lanes factor = skylight_sh_spread(others[other]); \
         skylight_sh_lanes sum[SKYLIGHT_SH_BLOCK]; \
-        for (k = 0; k < SKYLIGHT_SH_BLOCK; ++k) \
-            sum[k] = skylight_sh_load(term + k * SKYLIGHT_SH_LANES); \
+        SKYLIGHT_SH_EACH(SKYLIGHT_SH_LAST) \
         for (i = 1; i < (count); ++i) { \
             term -= SKYLIGHT_SH_WIDTH; \
-            for (k = 0; k < SKYLIGHT_SH_BLOCK; ++k) { \
-                skylight_sh_lanes v = skylight_sh_load(term + k * SKYLIGHT_SH_LANES); \
-                v = skylight_sh_add(sum[k], power, v); \
-                SKYLIGHT_SH_IN_ORDER(v) \
-                sum[k] = v; \
-            } \
+            SKYLIGHT_SH_EACH(SKYLIGHT_SH_STEP_DOWN) \
         } \
-        for (k = 0; k < SKYLIGHT_SH_BLOCK; ++k) SKYLIGHT_SH_TOTAL(k) \
+        SKYLIGHT_SH_EACH(SKYLIGHT_SH_TOTAL) \
     }
-#define SKYLIGHT_SH_TOTAL(k) total[k] = skylight_sh_add(sum[k], factor, total[k]);
+#define SKYLIGHT_SH_LAST(k) \
+    if ((k) < SKYLIGHT_SH_BLOCK) sum[k] = skylight_sh_load(term + (k) * SKYLIGHT_SH_LANES);
+#define SKYLIGHT_SH_STEP_DOWN(k) \
+    if ((k) < SKYLIGHT_SH_BLOCK) { \
+        skylight_sh_lanes v = skylight_sh_load(term + (k) * SKYLIGHT_SH_LANES); \
+        v = skylight_sh_add(sum[k], power, v); \
+        SKYLIGHT_SH_IN_ORDER(v) \
+        sum[k] = v; \
+    }
+#define SKYLIGHT_SH_TOTAL(k) \
+    if ((k) < SKYLIGHT_SH_BLOCK) total[k] = skylight_sh_add(sum[k], factor, total[k]);
     SKYLIGHT_SH_POLYNOMIALS(SKYLIGHT_SH_CLASS, SKYLIGHT_SH_NOTHING, SKYLIGHT_SH_POLYNOMIAL)
 #undef SKYLIGHT_SH_CLASS
 #undef SKYLIGHT_SH_NOTHING
 #undef SKYLIGHT_SH_POLYNOMIAL
+#undef SKYLIGHT_SH_SUM
+#undef SKYLIGHT_SH_ZERO
+#undef SKYLIGHT_SH_LAST
+#undef SKYLIGHT_SH_STEP_DOWN
 #undef SKYLIGHT_SH_TOTAL
 }
 
@@ -166,31 +178,41 @@ static inline void skylight_sh_multiply(int class_, const skylight_sh_real *firs
 static inline void skylight_sh_sum_block(const skylight_sh_real *row, int terms,
                                          const skylight_sh_real *products, skylight_sh_real *sums)
 {
-    skylight_sh_lanes total[SKYLIGHT_SH_SIDE][SKYLIGHT_SH_BLOCK];
-    int t, i, k;
-    for (i = 0; i < SKYLIGHT_SH_SIDE; ++i)
-        for (k = 0; k < SKYLIGHT_SH_BLOCK; ++k) total[i][k] = skylight_sh_spread(0);
+    skylight_sh_lanes total[8];
+    int t;
+#define SKYLIGHT_SH_ZERO(k) total[k] = skylight_sh_spread(0);
+    /* Vector k of so many rows side by side. */
+#define SKYLIGHT_SH_ROWS(k) \
+    if ((k) / SKYLIGHT_SH_BLOCK < SKYLIGHT_SH_SIDE) \
+        total[k] = skylight_sh_add( \
+            skylight_sh_spread(products[t + (k) / SKYLIGHT_SH_BLOCK]), \
+            skylight_sh_load(row + (k) / SKYLIGHT_SH_BLOCK * SKYLIGHT_SH_WIDTH + \
+                             (k) % SKYLIGHT_SH_BLOCK * SKYLIGHT_SH_LANES), \
+            total[k]);
+#define SKYLIGHT_SH_ROW(k) \
+    if ((k) < SKYLIGHT_SH_BLOCK) \
+        total[k] = skylight_sh_add(skylight_sh_spread(products[t]), \
+                                   skylight_sh_load(row + (k) * SKYLIGHT_SH_LANES), total[k]);
+#define SKYLIGHT_SH_SIDES(k) \
+    if ((k) >= SKYLIGHT_SH_BLOCK) total[(k) % SKYLIGHT_SH_BLOCK] += total[k];
+#define SKYLIGHT_SH_SUM(k) \
+    if ((k) < SKYLIGHT_SH_BLOCK) memcpy(sums + (k) * SKYLIGHT_SH_LANES, &total[k], sizeof total[k]);
+    SKYLIGHT_SH_EACH(SKYLIGHT_SH_ZERO)
     for (t = 0; t + SKYLIGHT_SH_SIDE <= terms; t += SKYLIGHT_SH_SIDE) {
-        for (i = 0; i < SKYLIGHT_SH_SIDE; ++i) {
-            const skylight_sh_lanes product = skylight_sh_spread(products[t + i]);
-            for (k = 0; k < SKYLIGHT_SH_BLOCK; ++k)
-                total[i][k] = skylight_sh_add(
-                    product, skylight_sh_load(row + i * SKYLIGHT_SH_WIDTH + k * SKYLIGHT_SH_LANES),
-                    total[i][k]);
-        }
+        SKYLIGHT_SH_EACH(SKYLIGHT_SH_ROWS)
         row += SKYLIGHT_SH_SIDE * SKYLIGHT_SH_WIDTH;
     }
     for (; t < terms; ++t) {
-        const skylight_sh_lanes product = skylight_sh_spread(products[t]);
-        for (k = 0; k < SKYLIGHT_SH_BLOCK; ++k)
-            total[0][k] = skylight_sh_add(product, skylight_sh_load(row + k * SKYLIGHT_SH_LANES),
-                                          total[0][k]);
+        SKYLIGHT_SH_EACH(SKYLIGHT_SH_ROW)
         row += SKYLIGHT_SH_WIDTH;
     }
-    for (k = 0; k < SKYLIGHT_SH_BLOCK; ++k) {
-        for (i = 1; i < SKYLIGHT_SH_SIDE; ++i) total[0][k] += total[i][k];
-        memcpy(sums + k * SKYLIGHT_SH_LANES, &total[0][k], sizeof total[0][k]);
-    }
+    SKYLIGHT_SH_EACH(SKYLIGHT_SH_SIDES)
+    SKYLIGHT_SH_EACH(SKYLIGHT_SH_SUM)
+#undef SKYLIGHT_SH_ZERO
+#undef SKYLIGHT_SH_ROWS
+#undef SKYLIGHT_SH_ROW
+#undef SKYLIGHT_SH_SIDES
+#undef SKYLIGHT_SH_SUM
 }
 
 /* The same for one vector of each row. */
