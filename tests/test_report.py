@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import json
 import re
+import shutil
 import struct
+from html import unescape
 from html.parser import HTMLParser
 from pathlib import Path
 
@@ -15,7 +17,7 @@ from conftest import SMALL, run_quietly
 from PIL import Image
 from skylight_sh import MissingExtraError, runtime, shipped
 from skylight_sh.config import load
-from skylight_sh.report import timings
+from skylight_sh.report import overview, timings
 from skylight_sh.report.choice import same_as
 from skylight_sh.report.origins import explained
 from skylight_sh.report.report_data import Entry
@@ -109,6 +111,42 @@ def test_every_shipped_config_has_a_title_of_its_own() -> None:
     assert "turbidity fixed at 3" in told["fixed-weather"]
     assert "sun's disc" in told["clear-day"]
     assert "luminance alone" in told["high-latitude-winter"]
+
+
+def test_the_page_over_all_runs_lists_what_is_whole(small_run: Result, tmp_path: Path) -> None:
+    shutil.copytree(small_run.folder, tmp_path / "one")
+    shutil.copytree(small_run.folder, tmp_path / "two & <b>")
+    (tmp_path / "empty").mkdir()
+    (tmp_path / "broken").mkdir()
+    (tmp_path / "broken" / "summary.json").write_text('{"tables": []', encoding="utf-8")
+    (tmp_path / "stray.txt").touch()
+    found = overview.runs(tmp_path)
+    assert [run.folder for run in found] == ["one", "two & <b>"]
+    best = next(row for row in small_run.summary["tables"] if row["name"] == small_run.summary["recommended"])
+    assert (found[0].table, found[0].bytes, found[0].error) == (best["name"], best["bytes"], best["e_mean"])
+    page = overview.page(found).decode()
+    assert "<b>" not in page
+    assert "://" not in page
+    told = _cells(page)
+    assert all(cell.strip() for cell in told.cells)
+    assert found[0].title in told.cells
+    assert percent(best["e_mean"]) in told.cells
+    assert [float(key) for key in told.keys] == 2 * [best["bytes"], best["e_mean"]]
+    assert {unescape(link) for link in re.findall(r'href="([^"]+)"', page)} == {f"{run.folder}/index.html" for run in found}
+
+
+def test_a_run_lists_itself_and_others(tmp_path: Path) -> None:
+    text = (SMALL.parent / "small-cie.toml").read_text(encoding="utf-8")
+    config = load(SMALL.parent / "small-cie.toml")
+    first = run_quietly(config, tmp_path)
+    page = first.folder.parent / "index.html"
+    before = page.read_bytes()
+    assert f"{first.folder.name}/index.html".encode() in before
+    name = config.name
+    (tmp_path / "again.toml").write_text(text.replace(f'name = "{name}"', 'name = "again"', 1), encoding="utf-8")
+    run_quietly(load(tmp_path / "again.toml"), tmp_path)
+    assert [run.folder for run in overview.runs(page.parent)] == sorted(["again", first.folder.name])
+    assert b"again/index.html" in page.read_bytes()
 
 
 def test_times_are_shown_of_the_very_table_alone(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from skylight_sh.config.schema import Config
+from skylight_sh.report import overview
 from skylight_sh.run import plan, progress
 from skylight_sh.run.files import TRANSFER_FILE, from_dataset, transfer_file
 from skylight_sh.run.provenance import environment, settings, versions
@@ -34,7 +35,7 @@ class Result:
 
 
 def run(config: Config, store: Store, reports: Path, warn: Callable[[str], None]) -> Result:
-    """Run every stage that the store does not hold, publish the files under ``reports/<name>/`` and record the run.
+    """Run every stage that the store does not hold, publish the files under ``reports/<name>/``, record the run and list it.
 
     Raises what a stage raises (NotConvergedError, BudgetError) before anything is published.
     """
@@ -60,6 +61,7 @@ def run(config: Config, store: Store, reports: Path, warn: Callable[[str], None]
         **_computed(outcomes),
     }
     _write(folder / "run.json", (json.dumps(record, indent=2) + "\n").encode())
+    _list(reports)
     return Result(folder, stages, json.loads(files["summary.json"]))
 
 
@@ -114,6 +116,14 @@ def _publish(folder: Path, files: Mapping[str, bytes]) -> None:
             stale.unlink()
             if not any(stale.parent.iterdir()):
                 stale.parent.rmdir()
+
+
+def _list(reports: Path) -> None:
+    """Write the page over all runs; again where another run was published meanwhile."""
+    written: list[overview.Run] | None = None
+    while written != (found := overview.runs(reports)):
+        atomic.write(reports / "index.html", overview.page(found))
+        written = found
 
 
 def _write(path: Path, data: bytes) -> None:
