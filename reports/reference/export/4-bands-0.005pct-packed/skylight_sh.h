@@ -32,11 +32,11 @@
  *   Define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_EXPOSURE before this file (where it holds the table)
  *   to multiply all weights (1 by default).
  *
- * Accuracy, as shipped: E_mean 0.00461 %, E_max 0.0116 % of the least luminance of the same sky, at
+ * Accuracy, as shipped: E_mean 0.00496 %, E_max 0.0142 % of the least luminance of the same sky, at
  * azimuth 0.
  * The expansion rings: the least value it takes, over all directions and measured sets, is -12.5 %
  * of its largest in the same set; the window below tames it.
- * Memory: 1769 bytes of constants, packed into few bytes (a fast table takes more and less time).
+ * Memory: 1723 bytes of constants, packed into few bytes (a fast table takes more and less time).
  *
  * Provenance
  *   skylight-sh 0.1.0, config preetham 08540d17388f71b0, table 4-bands-0.005pct-packed
@@ -66,7 +66,7 @@ before."
 #endif
 
 #ifndef SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_H
-#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_H 0x094045e6
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_H 0xbca33736
 
 #include <math.h>
 #include <stdint.h>
@@ -92,9 +92,9 @@ before."
 #define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CHANNELS 3
 #define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_AXES 2
 #define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_UNIT "cd/m2"
-#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_E_MEAN 4.613000e-05
-#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_E_MAX 1.158000e-04
-#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_UNPACKED 1526
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_E_MEAN 4.957000e-05
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_E_MAX 1.423000e-04
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_UNPACKED 1476
 #define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_SUN_ZENITH_MIN 0.0f
 #define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_SUN_ZENITH_MAX 1.57079637f
 #define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_TURBIDITY_MIN 2.5f
@@ -188,7 +188,7 @@ SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_API void skylight_sh_4_bands_0_005pct_packed
     weights[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CHANNELS]
     [SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WEIGHTS]);
 
-#elif SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_H != 0x094045e6
+#elif SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_H != 0xbca33736
 #error "Another table has the prefix skylight_sh_4_bands_0_005pct_packed_4_bands_0_005pct_packed \
 already: export one of them under a prefix of its own."
 #endif /* SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_H */
@@ -197,6 +197,138 @@ already: export one of them under a prefix of its own."
     defined(SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_IMPLEMENTATION)) && \
     !defined(SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_DEFINED)
 #define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_DEFINED
+
+/* Numbers side by side where the compiler has vector types: as many as the processor's registers
+   hold, and four. */
+#if defined(__GNUC__) && (defined(__SSE__) || defined(__ARM_NEON) || defined(__ALTIVEC__) || \
+                          defined(__wasm_simd128__) || defined(__loongarch_sx))
+#if defined(__AVX512F__)
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_LANES 16
+#elif defined(__AVX__)
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_LANES 8
+#else
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_LANES 4
+#endif
+#endif
+/* What is worth its place in every caller; what lies at the start of a cache line. */
+#ifdef __GNUC__
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_INLINE static inline __attribute__((always_inline))
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_ALIGNED __attribute__((aligned(64)))
+#else
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_INLINE static inline
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_ALIGNED
+#endif
+#ifdef SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_LANES
+#ifdef __FMA__
+/* One operation for a product and a sum, which standard C may not choose by itself. */
+#include <immintrin.h>
+#endif
+typedef float skylight_sh_4_bands_0_005pct_packed_lanes __attribute__((vector_size(4 *
+    SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_LANES)));
+typedef float skylight_sh_4_bands_0_005pct_packed_four __attribute__((vector_size(16)));
+typedef int skylight_sh_4_bands_0_005pct_packed_order __attribute__((vector_size(16)));
+
+/* The same number in all places: v - 0 is v, which 0 + v need not be. */
+static inline skylight_sh_4_bands_0_005pct_packed_lanes
+    skylight_sh_4_bands_0_005pct_packed_spread(float v)
+{
+    const skylight_sh_4_bands_0_005pct_packed_lanes zeros = {0};
+    return v - zeros;
+}
+
+static inline skylight_sh_4_bands_0_005pct_packed_lanes
+    skylight_sh_4_bands_0_005pct_packed_load(const float *from)
+{
+    skylight_sh_4_bands_0_005pct_packed_lanes v;
+    memcpy(&v, from, sizeof v);
+    return v;
+}
+
+/* a * b + c. */
+static inline skylight_sh_4_bands_0_005pct_packed_lanes
+    skylight_sh_4_bands_0_005pct_packed_add(skylight_sh_4_bands_0_005pct_packed_lanes a,
+    skylight_sh_4_bands_0_005pct_packed_lanes b,
+                                                skylight_sh_4_bands_0_005pct_packed_lanes c)
+{
+#if defined(__FMA__) && SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_LANES == 16
+    return _mm512_fmadd_ps(a, b, c);
+#elif defined(__FMA__) && SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_LANES == 8
+    return _mm256_fmadd_ps(a, b, c);
+#else
+    return a * b + c;
+#endif
+}
+
+static inline skylight_sh_4_bands_0_005pct_packed_four
+    skylight_sh_4_bands_0_005pct_packed_spread_four(float v)
+{
+    const skylight_sh_4_bands_0_005pct_packed_four zeros = {0};
+    return v - zeros;
+}
+
+static inline skylight_sh_4_bands_0_005pct_packed_four
+    skylight_sh_4_bands_0_005pct_packed_load_four(const float *from)
+{
+    skylight_sh_4_bands_0_005pct_packed_four v;
+    memcpy(&v, from, sizeof v);
+    return v;
+}
+
+static inline skylight_sh_4_bands_0_005pct_packed_four
+    skylight_sh_4_bands_0_005pct_packed_add_four(skylight_sh_4_bands_0_005pct_packed_four a,
+    skylight_sh_4_bands_0_005pct_packed_four b,
+                                                    skylight_sh_4_bands_0_005pct_packed_four c)
+{
+#ifdef __FMA__
+    return _mm_fmadd_ps(a, b, c);
+#else
+    return a * b + c;
+#endif
+}
+
+/* Numbers side by side; where there are fewer than four, the last again. */
+static inline skylight_sh_4_bands_0_005pct_packed_four
+    skylight_sh_4_bands_0_005pct_packed_quadruple(float a, float b, float c, float d)
+{
+    const skylight_sh_4_bands_0_005pct_packed_four v = {a, b, c, d};
+    return v;
+}
+
+static inline skylight_sh_4_bands_0_005pct_packed_four
+    skylight_sh_4_bands_0_005pct_packed_triple(float a, float b, float c)
+{
+    return skylight_sh_4_bands_0_005pct_packed_quadruple(a, b, c, c);
+}
+
+static inline skylight_sh_4_bands_0_005pct_packed_four
+    skylight_sh_4_bands_0_005pct_packed_pair(float a, float b)
+{
+    return skylight_sh_4_bands_0_005pct_packed_quadruple(a, b, b, b);
+}
+
+static inline void skylight_sh_4_bands_0_005pct_packed_keep(float *to,
+    skylight_sh_4_bands_0_005pct_packed_four v)
+{
+    memcpy(to, &v, sizeof v);
+}
+
+/* Four of the eight numbers of two vectors. */
+#ifdef __clang__
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_PICK(v, w, a, b, c, d) __builtin_shufflevector(v, w, \
+    a, b, c, d)
+#else
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_PICK(v, w, a, b, c, d) \
+    skylight_sh_4_bands_0_005pct_packed_pick(v, w, a, b, c, d)
+static inline skylight_sh_4_bands_0_005pct_packed_four
+    skylight_sh_4_bands_0_005pct_packed_pick(skylight_sh_4_bands_0_005pct_packed_four v,
+    skylight_sh_4_bands_0_005pct_packed_four w, int a,
+                                                int b, int c, int d)
+{
+    const skylight_sh_4_bands_0_005pct_packed_order order = {a, b, c, d};
+    return __builtin_shuffle(v, w, order);
+}
+#endif
+#endif
 
 typedef float skylight_sh_4_bands_0_005pct_packed_real;
 
@@ -228,47 +360,50 @@ static const skylight_sh_4_bands_0_005pct_packed_real
 /* Classes; a row's numbers, one a sum, and those of the first 1, 2, ..
    bands; room for a class's sums. */
 #define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASSES 3
-#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_OTHER_CLASSES(CLASS) CLASS(1) CLASS(2)
-#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_FACTORS 9
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_ALL_CLASSES(CLASS) CLASS(0) CLASS(1) CLASS(2)
+/* What multiplies the sum of a class for a channel; the channels side by
+   side, in fours. */
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_FACTORS 12
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_FACTOR(channel, class_) ((class_) * 4 + (channel))
 #define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WIDTH 10
 #define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WIDTHS { 1, 3, 6, 10 }
 #define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_ROOM 16
 /* All rows; of each class the first row, how many, and the place of its
    first product. */
-#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_TERMS 152
-#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_STARTS { 0, 60, 104 }
-#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_COUNTS { 60, 44, 48 }
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_TERMS 147
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_STARTS { 0, 60, 103 }
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_COUNTS { 60, 43, 44 }
 #define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_PLACES { 0, 60, 104 }
-#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_PRODUCTS_ROOM 156
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_PRODUCTS_ROOM 152
 /* Of each class and product of the other axes' functions: how many
    functions of the first axis it has. */
-#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_LENGTHS { { 14, 10, 10, 9, 7, 5, 3, 2 }, { 9, 11, 9, \
-    6, 4, 3, 2, 0 }, { 12, 10, 9, 7, 5, 3, 2, 0 } }
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_LENGTHS { { 14, 10, 11, 9, 7, 5, 3, 1 }, { 11, 10, 7, \
+    6, 4, 3, 2, 0 }, { 10, 9, 8, 7, 5, 3, 2, 0 } }
 /* The same: of each that has any, class, place of the first product, how
    many, the other axes' product. */
 #define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_PRODUCTS(PRODUCT) \
     PRODUCT(0, 0, 14, 0) \
     PRODUCT(0, 14, 10, 1) \
-    PRODUCT(0, 24, 10, 2) \
-    PRODUCT(0, 34, 9, 3) \
-    PRODUCT(0, 43, 7, 4) \
-    PRODUCT(0, 50, 5, 5) \
-    PRODUCT(0, 55, 3, 6) \
-    PRODUCT(0, 58, 2, 7) \
-    PRODUCT(1, 60, 9, 0) \
-    PRODUCT(1, 69, 11, 1) \
-    PRODUCT(1, 80, 9, 2) \
-    PRODUCT(1, 89, 6, 3) \
-    PRODUCT(1, 95, 4, 4) \
-    PRODUCT(1, 99, 3, 5) \
-    PRODUCT(1, 102, 2, 6) \
-    PRODUCT(2, 104, 12, 0) \
-    PRODUCT(2, 116, 10, 1) \
-    PRODUCT(2, 126, 9, 2) \
-    PRODUCT(2, 135, 7, 3) \
-    PRODUCT(2, 142, 5, 4) \
-    PRODUCT(2, 147, 3, 5) \
-    PRODUCT(2, 150, 2, 6)
+    PRODUCT(0, 24, 11, 2) \
+    PRODUCT(0, 35, 9, 3) \
+    PRODUCT(0, 44, 7, 4) \
+    PRODUCT(0, 51, 5, 5) \
+    PRODUCT(0, 56, 3, 6) \
+    PRODUCT(0, 59, 1, 7) \
+    PRODUCT(1, 60, 11, 0) \
+    PRODUCT(1, 71, 10, 1) \
+    PRODUCT(1, 81, 7, 2) \
+    PRODUCT(1, 88, 6, 3) \
+    PRODUCT(1, 94, 4, 4) \
+    PRODUCT(1, 98, 3, 5) \
+    PRODUCT(1, 101, 2, 6) \
+    PRODUCT(2, 104, 10, 0) \
+    PRODUCT(2, 114, 9, 1) \
+    PRODUCT(2, 123, 8, 2) \
+    PRODUCT(2, 131, 7, 3) \
+    PRODUCT(2, 138, 5, 4) \
+    PRODUCT(2, 143, 3, 5) \
+    PRODUCT(2, 146, 2, 6)
 /* Where sums go: of each degree, the first column, or -1 where it carries
    nothing. */
 #define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_COLUMNS { 0, 1, 3, 6 }
@@ -284,114 +419,113 @@ static const skylight_sh_4_bands_0_005pct_packed_real
 /* Runs of numbers, one a product of the other axes' functions, and their
    profiles; what one step is worth. */
 #define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_RUNS 8
-#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_RUN_PROFILE { 10, 8, 4, -2, -8, -14, -18, -22 }
-#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASS_PROFILE { -7, -13, -11 }
-#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_STEP 1.78813934e-06f
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_RUN_PROFILE { 10, 8, 4, -2, -8, -12, -20, -20 }
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASS_PROFILE { -7, -15, -13 }
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_STEP 2.11596489e-06f
 
 /* Whole numbers as Rice codes. */
-static const unsigned char skylight_sh_4_bands_0_005pct_packed_stream[1498] = {
-    235, 123, 109, 37, 100, 200, 8, 241, 255, 255, 251, 255, 255, 169, 144, 184, 68, 217, 55, 126,
-    88, 221, 60, 194, 61, 67, 130, 147, 255, 255, 254, 7, 170, 249, 125, 164, 179, 10, 209, 24, 31,
-    137, 114, 251, 255, 239, 237, 34, 92, 101, 46, 173, 234, 10, 128, 36, 255, 255, 61, 130, 132,
-    199, 149, 116, 30, 78, 244, 255, 123, 44, 203, 57, 207, 115, 253, 239, 63, 184, 227, 122, 143,
-    189, 243, 255, 15, 22, 36, 105, 218, 31, 27, 138, 50, 193, 255, 127, 186, 52, 100, 235, 186, 70,
-    141, 145, 233, 252, 63, 229, 12, 128, 218, 29, 147, 248, 63, 108, 14, 189, 41, 63, 223, 120,
-    107, 249, 255, 223, 127, 174, 185, 55, 222, 28, 32, 156, 86, 160, 202, 180, 151, 250, 255, 223,
-    64, 230, 173, 155, 33, 178, 56, 75, 139, 162, 57, 255, 191, 23, 66, 177, 164, 84, 125, 83, 49,
-    255, 127, 51, 11, 173, 63, 31, 246, 139, 23, 116, 231, 5, 251, 95, 91, 9, 153, 50, 4, 144, 239,
-    255, 127, 114, 39, 95, 253, 165, 104, 195, 124, 152, 157, 122, 232, 56, 246, 255, 180, 92, 174,
-    49, 252, 244, 37, 163, 212, 194, 18, 129, 161, 222, 54, 66, 218, 55, 199, 117, 49, 225, 210,
-    130, 47, 122, 95, 52, 102, 78, 237, 209, 43, 109, 30, 185, 251, 167, 90, 225, 89, 157, 180, 81,
-    229, 38, 249, 135, 9, 77, 0, 107, 113, 66, 235, 15, 26, 13, 40, 148, 86, 145, 13, 129, 5, 60, 0,
-    35, 97, 16, 205, 100, 61, 183, 44, 253, 31, 140, 114, 47, 153, 67, 72, 95, 213, 167, 134, 144,
-    251, 20, 159, 94, 235, 211, 208, 62, 24, 115, 177, 175, 143, 224, 146, 206, 150, 65, 168, 162,
-    193, 64, 211, 128, 110, 178, 15, 178, 7, 53, 254, 253, 79, 56, 211, 170, 182, 188, 114, 182,
-    137, 13, 140, 104, 101, 205, 224, 25, 220, 115, 117, 45, 235, 60, 175, 48, 102, 1, 41, 185, 76,
-    4, 190, 213, 30, 97, 160, 179, 65, 179, 23, 86, 100, 217, 151, 105, 163, 197, 173, 246, 63, 63,
-    115, 13, 190, 31, 224, 135, 115, 247, 102, 192, 212, 128, 214, 59, 25, 70, 66, 234, 76, 126,
-    232, 107, 5, 205, 78, 160, 168, 220, 219, 97, 209, 254, 232, 113, 46, 177, 74, 241, 242, 108,
-    39, 57, 189, 81, 54, 101, 143, 169, 193, 166, 115, 109, 121, 40, 82, 85, 157, 79, 112, 31, 98,
-    232, 59, 238, 46, 188, 15, 131, 41, 68, 27, 3, 203, 124, 99, 101, 158, 207, 80, 19, 228, 235,
-    240, 46, 3, 147, 209, 101, 81, 195, 194, 105, 182, 5, 219, 140, 76, 46, 220, 255, 220, 74, 200,
-    148, 33, 128, 0, 145, 16, 252, 223, 181, 187, 159, 152, 148, 179, 237, 192, 70, 53, 81, 90, 211,
-    167, 224, 122, 247, 7, 7, 120, 126, 125, 169, 3, 248, 32, 78, 148, 241, 49, 37, 115, 163, 75,
-    211, 185, 129, 157, 123, 81, 96, 246, 166, 61, 178, 191, 177, 9, 31, 120, 159, 189, 219, 145,
-    146, 150, 17, 47, 103, 191, 110, 106, 109, 52, 19, 22, 137, 214, 149, 214, 191, 102, 254, 120,
-    200, 133, 181, 110, 21, 237, 0, 35, 196, 221, 213, 106, 104, 96, 94, 237, 136, 234, 97, 90, 143,
-    244, 243, 180, 20, 109, 72, 7, 252, 30, 242, 26, 118, 46, 74, 63, 84, 165, 113, 59, 221, 88,
-    164, 135, 9, 232, 90, 91, 30, 234, 47, 122, 197, 85, 250, 186, 219, 161, 19, 39, 218, 13, 112,
-    243, 89, 46, 179, 209, 253, 103, 174, 255, 203, 213, 133, 108, 59, 247, 203, 32, 13, 180, 84,
-    170, 79, 142, 248, 142, 188, 230, 85, 97, 90, 63, 165, 2, 32, 220, 62, 247, 89, 201, 126, 228,
-    122, 152, 133, 36, 100, 40, 150, 134, 215, 15, 248, 60, 108, 18, 2, 163, 253, 232, 245, 162, 24,
-    47, 196, 143, 52, 239, 179, 209, 13, 48, 42, 228, 142, 96, 220, 168, 248, 202, 13, 110, 88, 195,
-    135, 112, 25, 176, 203, 122, 20, 151, 83, 55, 210, 61, 241, 70, 51, 191, 204, 61, 110, 139, 132,
-    230, 21, 59, 39, 14, 116, 185, 57, 105, 0, 70, 201, 44, 254, 233, 228, 238, 2, 52, 8, 201, 112,
-    86, 134, 125, 153, 86, 110, 22, 219, 37, 76, 98, 209, 35, 236, 114, 43, 64, 106, 106, 162, 255,
-    253, 4, 60, 21, 40, 164, 76, 114, 225, 78, 174, 176, 36, 205, 194, 3, 8, 139, 28, 171, 15, 47,
-    2, 90, 72, 39, 213, 107, 147, 219, 130, 51, 212, 51, 77, 238, 212, 126, 146, 100, 24, 22, 161,
-    101, 223, 250, 30, 60, 228, 82, 143, 61, 200, 199, 185, 82, 17, 174, 118, 11, 206, 55, 124, 144,
-    0, 103, 252, 213, 0, 206, 14, 167, 152, 12, 194, 189, 214, 178, 232, 225, 124, 227, 140, 135,
-    21, 193, 52, 27, 149, 1, 201, 214, 228, 185, 102, 109, 103, 53, 179, 33, 151, 104, 143, 200, 29,
-    214, 225, 149, 90, 218, 226, 142, 154, 129, 235, 64, 210, 245, 188, 153, 53, 29, 206, 136, 50,
-    77, 178, 115, 215, 224, 140, 220, 130, 229, 149, 222, 100, 108, 242, 52, 192, 100, 45, 220, 255,
-    28, 83, 200, 144, 49, 64, 0, 241, 223, 223, 57, 217, 155, 145, 243, 79, 249, 253, 59, 41, 170,
-    139, 40, 50, 202, 38, 30, 175, 24, 231, 135, 155, 126, 87, 57, 24, 115, 178, 120, 221, 136, 152,
-    156, 162, 11, 244, 147, 35, 169, 246, 30, 233, 149, 19, 187, 75, 118, 204, 235, 203, 121, 74,
-    79, 163, 64, 172, 223, 90, 192, 116, 70, 51, 72, 158, 249, 62, 167, 237, 24, 236, 24, 237, 57,
-    47, 165, 220, 83, 93, 235, 44, 90, 206, 174, 185, 154, 255, 25, 104, 90, 131, 209, 183, 227, 67,
-    150, 216, 67, 58, 199, 142, 245, 146, 245, 154, 61, 46, 121, 183, 237, 140, 109, 30, 173, 216,
-    35, 96, 90, 85, 144, 164, 150, 7, 219, 185, 114, 202, 174, 236, 23, 244, 144, 22, 149, 57, 239,
-    142, 53, 41, 204, 58, 59, 141, 45, 24, 90, 196, 111, 136, 108, 255, 242, 5, 252, 193, 51, 9,
-    212, 74, 85, 226, 174, 109, 105, 241, 78, 205, 241, 146, 196, 31, 199, 126, 61, 228, 248, 84,
-    178, 83, 144, 214, 9, 140, 123, 191, 236, 48, 200, 28, 249, 221, 107, 75, 86, 110, 95, 169, 211,
-    152, 239, 221, 144, 228, 92, 200, 182, 151, 225, 64, 106, 180, 142, 190, 203, 200, 203, 139,
-    192, 50, 160, 27, 174, 185, 38, 61, 93, 242, 142, 222, 185, 253, 142, 107, 150, 141, 113, 226,
-    173, 45, 93, 120, 183, 53, 73, 186, 228, 246, 104, 92, 143, 77, 237, 45, 117, 135, 90, 94, 157,
-    213, 157, 225, 216, 67, 164, 252, 71, 153, 61, 59, 173, 180, 233, 166, 182, 239, 165, 129, 205,
-    0, 104, 66, 130, 236, 246, 168, 96, 32, 16, 92, 217, 128, 77, 56, 113, 153, 220, 15, 120, 225,
-    117, 97, 165, 4, 75, 69, 208, 46, 34, 82, 170, 18, 205, 145, 112, 87, 113, 209, 203, 188, 199,
-    197, 122, 37, 156, 119, 39, 66, 166, 179, 75, 233, 50, 75, 33, 89, 52, 113, 10, 26, 91, 66, 53,
-    24, 122, 217, 243, 227, 25, 234, 251, 153, 78, 160, 92, 233, 132, 254, 65, 232, 165, 29, 123, 8,
-    150, 27, 76, 54, 246, 69, 197, 36, 198, 24, 83, 179, 82, 191, 16, 139, 150, 167, 110, 132, 165,
-    145, 184, 106, 186, 212, 89, 155, 172, 6, 12, 217, 162, 133, 14, 212, 152, 6, 2, 102, 42, 9, 84,
-    2, 148, 238, 44, 123, 9, 57, 145, 42, 90, 162, 98, 17, 89, 216, 149, 44, 7, 229, 82, 180, 23,
-    229, 43, 218, 226, 223, 73, 192, 115, 23, 180, 239, 147, 69, 111, 33, 216, 135, 58, 135, 66, 19,
-    134, 87, 220, 152, 52, 108, 9, 31, 163, 75, 99, 79, 183, 138, 27, 108, 37, 248, 180, 161, 114,
-    245, 188, 126, 118, 148, 195, 99, 213, 112, 12, 62, 213, 205, 158, 47, 204, 144, 29, 1, 8, 198,
-    140, 235, 42, 9, 0, 32, 198, 176, 86, 1, 235, 121, 137, 58, 152, 65, 73, 187, 99, 27, 57, 254,
-    88, 47, 180, 72, 143, 206, 22, 244, 220, 117, 1, 24, 19, 224, 5, 4, 41, 242, 107, 255, 32, 124,
-    24, 182, 8, 164, 184, 55, 40, 255, 130, 181, 158, 169, 6, 117, 3, 37, 229, 90, 157, 61, 62, 78,
-    128, 63, 4, 227, 83, 175, 208, 60, 27, 140, 186, 216, 224, 216, 126, 84, 6, 80, 97, 0
+static const unsigned char skylight_sh_4_bands_0_005pct_packed_stream[1452] = {
+    235, 123, 142, 41, 100, 202, 8, 241, 255, 255, 251, 255, 159, 91, 211, 11, 255, 40, 224, 171,
+    59, 145, 34, 201, 224, 56, 76, 254, 255, 251, 167, 96, 255, 86, 235, 84, 56, 0, 204, 12, 115,
+    94, 231, 255, 223, 221, 126, 144, 31, 146, 21, 173, 109, 64, 192, 255, 239, 208, 199, 248, 78,
+    201, 38, 135, 255, 119, 138, 91, 40, 242, 232, 247, 128, 2, 121, 127, 238, 242, 255, 31, 232,
+    86, 19, 232, 26, 23, 118, 42, 240, 255, 95, 71, 70, 183, 189, 83, 152, 46, 127, 204, 255, 107,
+    132, 196, 22, 170, 136, 231, 63, 92, 71, 103, 248, 181, 226, 245, 242, 255, 191, 255, 63, 34,
+    255, 175, 130, 140, 31, 167, 52, 162, 5, 23, 117, 255, 255, 247, 192, 238, 197, 239, 180, 210,
+    131, 189, 188, 97, 236, 255, 247, 55, 153, 128, 239, 71, 189, 200, 156, 255, 247, 32, 97, 91,
+    211, 236, 119, 8, 232, 78, 27, 246, 63, 199, 20, 50, 69, 12, 32, 223, 255, 31, 118, 217, 235,
+    24, 10, 82, 202, 251, 162, 144, 25, 46, 142, 253, 143, 103, 233, 66, 143, 98, 9, 65, 132, 234,
+    244, 0, 16, 118, 209, 31, 137, 90, 240, 136, 93, 4, 20, 45, 227, 1, 111, 59, 41, 66, 84, 207,
+    69, 162, 54, 68, 14, 20, 18, 255, 44, 145, 161, 88, 147, 79, 14, 64, 8, 2, 216, 157, 96, 195,
+    26, 4, 18, 64, 1, 187, 7, 220, 64, 2, 204, 129, 120, 147, 81, 85, 230, 218, 210, 255, 255, 57,
+    146, 247, 217, 158, 12, 72, 169, 32, 45, 161, 251, 231, 184, 111, 110, 204, 193, 229, 53, 205,
+    164, 254, 157, 157, 255, 116, 245, 75, 177, 184, 17, 84, 164, 204, 195, 58, 237, 168, 230, 223,
+    63, 90, 180, 53, 186, 46, 200, 239, 220, 194, 93, 70, 162, 241, 3, 6, 59, 125, 250, 186, 55,
+    233, 112, 180, 31, 63, 98, 43, 204, 245, 42, 135, 127, 129, 109, 31, 151, 226, 8, 121, 41, 14,
+    214, 187, 104, 61, 114, 200, 55, 208, 102, 0, 195, 188, 123, 116, 14, 66, 192, 222, 231, 200,
+    90, 21, 22, 36, 134, 118, 67, 248, 246, 105, 85, 75, 87, 190, 219, 178, 159, 124, 252, 108, 80,
+    87, 211, 42, 92, 211, 243, 61, 215, 58, 238, 144, 122, 180, 117, 244, 150, 199, 86, 188, 189,
+    225, 140, 228, 168, 197, 188, 243, 229, 181, 125, 153, 0, 17, 118, 236, 168, 224, 117, 236, 241,
+    241, 198, 130, 36, 221, 189, 218, 217, 115, 54, 78, 225, 69, 147, 188, 222, 1, 87, 200, 160,
+    198, 253, 207, 49, 133, 76, 33, 3, 4, 16, 73, 80, 253, 110, 122, 126, 162, 78, 190, 165, 60,
+    180, 67, 222, 39, 9, 61, 98, 230, 13, 63, 30, 233, 176, 136, 145, 28, 229, 16, 140, 41, 47, 57,
+    107, 223, 4, 144, 68, 113, 149, 186, 167, 49, 114, 97, 146, 187, 187, 19, 43, 223, 30, 213, 219,
+    113, 28, 202, 17, 180, 17, 118, 217, 143, 27, 194, 2, 101, 72, 186, 255, 126, 53, 240, 201, 16,
+    3, 181, 125, 175, 23, 93, 201, 30, 52, 116, 177, 107, 92, 247, 145, 210, 129, 245, 199, 212,
+    143, 244, 63, 17, 174, 247, 56, 158, 253, 90, 50, 57, 251, 193, 20, 254, 39, 216, 174, 142, 164,
+    239, 182, 159, 49, 187, 174, 122, 53, 210, 80, 62, 227, 41, 183, 250, 134, 28, 38, 176, 109,
+    157, 234, 197, 89, 244, 217, 203, 253, 163, 19, 247, 98, 34, 2, 106, 166, 27, 8, 209, 3, 35,
+    145, 177, 39, 251, 189, 88, 236, 120, 124, 200, 226, 87, 143, 0, 8, 181, 71, 111, 184, 150, 244,
+    104, 40, 45, 1, 28, 78, 101, 190, 205, 128, 25, 225, 86, 16, 80, 156, 51, 29, 44, 4, 66, 232,
+    113, 183, 189, 53, 100, 247, 70, 25, 193, 232, 25, 248, 157, 47, 92, 100, 145, 39, 220, 84, 92,
+    223, 238, 98, 82, 228, 233, 238, 205, 142, 245, 193, 219, 236, 188, 44, 78, 178, 89, 174, 123,
+    210, 166, 191, 77, 116, 9, 102, 49, 254, 142, 217, 156, 183, 136, 222, 241, 137, 211, 42, 8, 45,
+    140, 216, 84, 176, 70, 85, 82, 197, 28, 183, 249, 54, 165, 134, 210, 252, 239, 131, 76, 229, 26,
+    125, 55, 65, 17, 154, 76, 18, 144, 42, 135, 194, 67, 88, 116, 35, 133, 159, 224, 175, 160, 51,
+    143, 76, 86, 152, 255, 118, 30, 240, 93, 209, 170, 36, 43, 16, 133, 1, 52, 216, 97, 191, 202,
+    184, 198, 231, 92, 171, 65, 25, 100, 70, 55, 17, 129, 169, 101, 199, 173, 76, 26, 18, 144, 69,
+    186, 71, 58, 251, 24, 203, 85, 244, 220, 134, 90, 198, 207, 63, 157, 184, 46, 173, 215, 52, 58,
+    59, 115, 55, 111, 232, 105, 233, 112, 179, 210, 192, 102, 200, 129, 220, 201, 147, 208, 166,
+    203, 47, 188, 227, 86, 216, 152, 56, 86, 175, 189, 43, 227, 121, 202, 85, 192, 215, 173, 118,
+    185, 99, 54, 34, 147, 238, 65, 92, 6, 45, 225, 68, 51, 238, 127, 142, 41, 116, 10, 24, 33, 128,
+    248, 239, 151, 37, 112, 137, 114, 255, 168, 127, 95, 167, 209, 78, 18, 81, 161, 102, 110, 204,
+    170, 52, 60, 204, 253, 253, 237, 56, 73, 67, 66, 235, 66, 180, 163, 37, 46, 154, 102, 104, 30,
+    165, 54, 172, 107, 57, 237, 150, 229, 8, 119, 182, 92, 109, 130, 119, 155, 245, 82, 99, 212, 19,
+    19, 204, 92, 22, 157, 196, 151, 32, 35, 102, 205, 62, 173, 211, 63, 177, 151, 39, 217, 120, 182,
+    174, 187, 245, 195, 216, 188, 194, 188, 171, 116, 250, 208, 139, 239, 145, 197, 143, 134, 122,
+    201, 99, 219, 137, 3, 148, 175, 226, 71, 57, 67, 42, 245, 7, 40, 218, 248, 116, 223, 171, 103,
+    220, 237, 181, 145, 72, 67, 113, 78, 177, 177, 198, 250, 59, 145, 21, 237, 175, 223, 105, 110,
+    30, 88, 242, 155, 90, 165, 111, 232, 250, 15, 199, 134, 55, 150, 143, 6, 138, 117, 87, 211, 59,
+    174, 128, 251, 65, 122, 74, 202, 78, 216, 203, 248, 137, 97, 82, 179, 236, 140, 189, 149, 168,
+    53, 70, 66, 151, 155, 194, 159, 67, 123, 63, 174, 120, 175, 55, 122, 100, 155, 216, 182, 20,
+    130, 72, 99, 99, 86, 97, 231, 39, 215, 65, 227, 76, 39, 46, 120, 77, 252, 4, 203, 50, 112, 177,
+    127, 227, 214, 5, 121, 234, 49, 155, 119, 129, 94, 224, 124, 105, 211, 215, 15, 227, 218, 91,
+    246, 248, 108, 103, 50, 243, 255, 229, 214, 207, 137, 195, 231, 157, 13, 144, 214, 64, 179, 198,
+    134, 61, 230, 116, 245, 186, 106, 145, 23, 160, 53, 9, 245, 90, 19, 161, 27, 23, 109, 27, 190,
+    148, 6, 183, 240, 125, 88, 6, 111, 162, 6, 107, 20, 108, 14, 159, 104, 248, 80, 109, 179, 5, 89,
+    31, 68, 46, 33, 157, 49, 169, 83, 3, 232, 109, 21, 100, 192, 161, 24, 169, 23, 57, 112, 150,
+    142, 5, 81, 123, 151, 97, 198, 80, 71, 154, 25, 209, 200, 53, 145, 131, 213, 154, 137, 180, 189,
+    225, 211, 48, 109, 136, 140, 30, 215, 22, 168, 66, 146, 71, 159, 241, 14, 240, 206, 86, 153, 19,
+    70, 61, 207, 94, 216, 180, 30, 111, 216, 225, 38, 109, 129, 233, 118, 34, 41, 182, 37, 180, 26,
+    252, 50, 62, 0, 136, 44, 182, 68, 222, 249, 44, 16, 36, 252, 148, 73, 99, 38, 87, 35, 146, 237,
+    158, 234, 110, 200, 46, 218, 230, 127, 227, 231, 238, 249, 97, 187, 13, 237, 89, 50, 48, 198,
+    153, 70, 218, 67, 70, 245, 215, 121, 44, 4, 136, 156, 146, 74, 162, 154, 251, 138, 14, 64, 127,
+    116, 208, 103, 202, 61, 92, 140, 6, 48, 76, 165, 187, 93, 232, 92, 142, 53, 73, 136, 25, 124,
+    15, 0, 64, 136, 253, 18, 39, 94, 0, 210, 72, 98, 220, 36, 254, 215, 126, 147, 59, 70, 209, 17,
+    43, 241, 39, 79, 252, 171, 244, 183, 90, 81, 166, 252, 44, 173, 170, 144, 22, 27, 20, 179, 230,
+    101, 75, 121, 100, 61, 146, 67, 172, 44, 191, 182, 211, 179, 152, 46, 198, 111, 202, 106, 221,
+    56, 254, 55, 190, 198, 167, 82, 244, 137, 141, 243, 198, 221, 147, 44, 165, 94, 200, 224, 141,
+    2
 };
 
 /* What all weights share: the closed form preetham_classes. */
-static const unsigned short skylight_sh_4_bands_0_005pct_packed_short[60] = { 40453, 4971, 945, 105,
-    24192, 2155, 420, 15, 1, 1787, 1463, 3554, 4275, 25, 3125, 227, 53251, 1206, 25771, 67, 3703, 5,
-    275, 4214, 15346, 61, 897, 26756, 317, 4153, 667, 516, 26688, 7332, 4, 2125, 641, 8989, 33, 452,
-    166, 2903, 11693, 375, 6377, 21196, 209, 3202, 6052, 394, 25886, 993, 7344, 79, 2102, 441,
-    16537, 109, 529, 41556 };
+static const unsigned short skylight_sh_4_bands_0_005pct_packed_short[61] = { 40453, 4971, 945, 105,
+    24192, 2155, 420, 15, 1, 1787, 1463, 3554, 4275, 25, 3125, 227, 4, 79, 53251, 2125, 2102, 1206,
+    641, 441, 25771, 8989, 16537, 67, 33, 109, 3703, 452, 529, 5, 275, 166, 4214, 2903, 15346,
+    11693, 61, 375, 897, 6377, 26756, 21196, 317, 209, 4153, 3202, 667, 6052, 516, 394, 26688,
+    25886, 7332, 993, 7344, 41556, 0 };
 
-#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_EARLY 16
-
-static inline void skylight_sh_4_bands_0_005pct_packed_begin_factors(const
-    skylight_sh_4_bands_0_005pct_packed_real *x, skylight_sh_4_bands_0_005pct_packed_real *early)
+#ifdef SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_LANES
+/* Equal formulas of different numbers side by side. */
+static inline void skylight_sh_4_bands_0_005pct_packed_factors(const
+    skylight_sh_4_bands_0_005pct_packed_real *x, skylight_sh_4_bands_0_005pct_packed_real *out)
 {
     const float chi = (0.888888896f - x[1] * 0.0166666675f) * (1.57079637f - x[0]);
     const float square = chi * chi;
-    early[0] =
+    const float below =
         ((skylight_sh_4_bands_0_005pct_packed_real)skylight_sh_4_bands_0_005pct_packed_short[2]) -
         square *
         (((skylight_sh_4_bands_0_005pct_packed_real)skylight_sh_4_bands_0_005pct_packed_short[6]) -
         ((skylight_sh_4_bands_0_005pct_packed_real)skylight_sh_4_bands_0_005pct_packed_short[7]) *
         square);
-    early[1] = ((0.100000001f * skylight_sh_4_bands_0_005pct_packed_short[0]) * x[1] -
+    const float zenith = ((0.100000001f * skylight_sh_4_bands_0_005pct_packed_short[0]) * x[1] -
         ((skylight_sh_4_bands_0_005pct_packed_real)skylight_sh_4_bands_0_005pct_packed_short[1])) *
         (chi *
         (((skylight_sh_4_bands_0_005pct_packed_real)skylight_sh_4_bands_0_005pct_packed_short[2]) -
         square *
         (((skylight_sh_4_bands_0_005pct_packed_real)skylight_sh_4_bands_0_005pct_packed_short[3]) -
         square))) + ((0.100000001f * skylight_sh_4_bands_0_005pct_packed_short[4]) - (0.100000001f *
-        skylight_sh_4_bands_0_005pct_packed_short[5]) * x[1]) * early[0];
+        skylight_sh_4_bands_0_005pct_packed_short[5]) * x[1]) * below;
     const float part_1 = (-9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[11]) * x[1] +
         (9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[12]);
     const float up =
@@ -399,110 +533,233 @@ static inline void skylight_sh_4_bands_0_005pct_packed_begin_factors(const
         part_1 * ((0.00999999978f * skylight_sh_4_bands_0_005pct_packed_short[13]) + part_1 *
         (9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[14]));
     const float up2 = up * up;
-    early[2] =
-        ((skylight_sh_4_bands_0_005pct_packed_real)skylight_sh_4_bands_0_005pct_packed_short[8]) +
-        ((9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[9]) * x[1] + (-0.00100000005f
-        * skylight_sh_4_bands_0_005pct_packed_short[10])) * (up2 * up2);
-    early[3] = (-9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[15]) * x[1] +
-        (9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[16]);
-    const float y = ((9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[17]) * x[1] +
-        (-9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[18])) * x[0] * (0.00999999978f
-        * skylight_sh_4_bands_0_005pct_packed_short[13]);
-    const float halo = 1.0f + y * (0.99999845f + y * (0.499975085f + y * (0.166515172f + y *
-        (0.0412233174f + y * (0.00765432511f + y * 0.000849007862f)))));
-    early[4] = halo * halo;
+    const skylight_sh_4_bands_0_005pct_packed_four y =
+        (skylight_sh_4_bands_0_005pct_packed_triple((9.99999975e-05f *
+        skylight_sh_4_bands_0_005pct_packed_short[21]),
+        (-9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[22]),
+        (-9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[23])) * x[1] +
+        skylight_sh_4_bands_0_005pct_packed_triple((-9.99999975e-05f *
+        skylight_sh_4_bands_0_005pct_packed_short[24]),
+        (-9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[25]),
+        (-9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[26]))) * x[0] *
+        (0.00999999978f * skylight_sh_4_bands_0_005pct_packed_short[13]);
+    const skylight_sh_4_bands_0_005pct_packed_four y2 = y * y;
+    const skylight_sh_4_bands_0_005pct_packed_four halo = 1.0f + 0.99999845f * y + y2 *
+        (0.499975085f + 0.166515172f * y + y2 * (0.0412233174f + 0.00765432511f * y + y2 *
+        0.000849007862f));
+    const skylight_sh_4_bands_0_005pct_packed_four halo2 = halo * halo;
+    const skylight_sh_4_bands_0_005pct_packed_four halo4 = halo2 * halo2;
     const float z = x[0] * x[0];
     const float cosine =
         ((skylight_sh_4_bands_0_005pct_packed_real)skylight_sh_4_bands_0_005pct_packed_short[8]) - z
-        * ((0.100000001f * skylight_sh_4_bands_0_005pct_packed_short[21]) - z * (9.99999975e-06f *
+        * ((0.100000001f * skylight_sh_4_bands_0_005pct_packed_short[33]) - z * (9.99999975e-06f *
         skylight_sh_4_bands_0_005pct_packed_short[14]));
     const float cosine2 = cosine * cosine;
-    early[5] = ((-0.00100000005f * skylight_sh_4_bands_0_005pct_packed_short[19]) * x[1] +
-        (9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[20])) * cosine2;
-    early[6] = (((((9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[22]) * x[1] +
-        (-9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[23])) * x[1] +
-        (9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[24])) * x[0] +
-        (((-9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[25]) * x[1] +
-        (9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[26])) * x[1] +
-        (-9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[27]))) * x[0] +
-        (((9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[28]) * x[1] +
-        (-9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[29])) * x[1] +
-        (9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[30]))) * x[0] +
-        ((9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[31]) * x[1] + (9.99999975e-06f
-        * skylight_sh_4_bands_0_005pct_packed_short[32]));
-    early[7] = (9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[13]) * x[1] +
-        (9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[33]);
-    early[8] = (-9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[34]) * x[1] +
-        (9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[35]);
-    const float y_2 = ((-9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[36]) * x[1] +
-        (-9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[37])) * x[0] * (0.00999999978f
-        * skylight_sh_4_bands_0_005pct_packed_short[13]);
-    const float halo_2 = 1.0f + y_2 * (0.99999845f + y_2 * (0.499975085f + y_2 * (0.166515172f + y_2
-        * (0.0412233174f + y_2 * (0.00765432511f + y_2 * 0.000849007862f)))));
-    early[9] = halo_2 * halo_2;
-    early[10] = ((-9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[38]) * x[1] +
-        (9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[39])) * cosine2;
-    early[11] = (((((9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[40]) * x[1] +
+    const skylight_sh_4_bands_0_005pct_packed_four part_2 =
+        ((skylight_sh_4_bands_0_005pct_packed_real)skylight_sh_4_bands_0_005pct_packed_short[8]) +
+        (skylight_sh_4_bands_0_005pct_packed_triple((-9.99999975e-05f *
+        skylight_sh_4_bands_0_005pct_packed_short[15]),
+        (-9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[16]),
+        (-9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[17])) * x[1] +
+        skylight_sh_4_bands_0_005pct_packed_triple((9.99999975e-05f *
+        skylight_sh_4_bands_0_005pct_packed_short[18]),
+        (9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[19]),
+        (9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[20]))) * halo4 +
+        (skylight_sh_4_bands_0_005pct_packed_triple((-0.00100000005f *
+        skylight_sh_4_bands_0_005pct_packed_short[27]),
+        (-9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[28]),
+        (-9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[29])) * x[1] +
+        skylight_sh_4_bands_0_005pct_packed_triple((9.99999975e-05f *
+        skylight_sh_4_bands_0_005pct_packed_short[30]),
+        (9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[31]),
+        (9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[32]))) * cosine2;
+    const float shape_y =
+        (((skylight_sh_4_bands_0_005pct_packed_real)skylight_sh_4_bands_0_005pct_packed_short[8]) +
+        ((9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[9]) * x[1] + (-0.00100000005f
+        * skylight_sh_4_bands_0_005pct_packed_short[10])) * (up2 * up2)) * part_2[0];
+    const skylight_sh_4_bands_0_005pct_packed_four y_zenith =
+        ((((skylight_sh_4_bands_0_005pct_packed_pair((9.99999975e-06f *
+        skylight_sh_4_bands_0_005pct_packed_short[34]),
+        (9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[35])) * x[1] +
+        skylight_sh_4_bands_0_005pct_packed_pair((-9.99999975e-06f *
+        skylight_sh_4_bands_0_005pct_packed_short[36]),
+        (-9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[37]))) * x[1] +
+        skylight_sh_4_bands_0_005pct_packed_pair((9.99999975e-06f *
+        skylight_sh_4_bands_0_005pct_packed_short[38]),
+        (9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[39]))) * x[0] +
+        ((skylight_sh_4_bands_0_005pct_packed_pair((-9.99999975e-05f *
+        skylight_sh_4_bands_0_005pct_packed_short[40]),
         (-9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[41])) * x[1] +
-        (9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[42])) * x[0] +
-        (((-9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[43]) * x[1] +
-        (9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[44])) * x[1] +
-        (-9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[45]))) * x[0] +
-        (((9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[46]) * x[1] +
-        (-9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[47])) * x[1] +
-        (9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[48]))) * x[0] +
-        ((9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[49]) * x[1] + (9.99999975e-06f
-        * skylight_sh_4_bands_0_005pct_packed_short[50]));
-    early[12] = (9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[51]) * x[1] +
-        (9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[52]);
-    early[13] = (-9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[53]) * x[1] +
-        (9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[54]);
-    const float y_3 = ((-9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[55]) * x[1] +
-        (-9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[56])) * x[0] * (0.00999999978f
-        * skylight_sh_4_bands_0_005pct_packed_short[13]);
-    const float halo_3 = 1.0f + y_3 * (0.99999845f + y_3 * (0.499975085f + y_3 * (0.166515172f + y_3
-        * (0.0412233174f + y_3 * (0.00765432511f + y_3 * 0.000849007862f)))));
-    early[14] = halo_3 * halo_3;
-    early[15] = ((-9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[57]) * x[1] +
-        (9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[58])) * cosine2;
+        skylight_sh_4_bands_0_005pct_packed_pair((9.99999975e-05f *
+        skylight_sh_4_bands_0_005pct_packed_short[42]),
+        (9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[43]))) * x[1] +
+        skylight_sh_4_bands_0_005pct_packed_pair((-9.99999975e-06f *
+        skylight_sh_4_bands_0_005pct_packed_short[44]),
+        (-9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[45])))) * x[0] +
+        ((skylight_sh_4_bands_0_005pct_packed_pair((9.99999975e-06f *
+        skylight_sh_4_bands_0_005pct_packed_short[46]),
+        (9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[47])) * x[1] +
+        skylight_sh_4_bands_0_005pct_packed_pair((-9.99999975e-06f *
+        skylight_sh_4_bands_0_005pct_packed_short[48]),
+        (-9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[49]))) * x[1] +
+        skylight_sh_4_bands_0_005pct_packed_pair((9.99999975e-05f *
+        skylight_sh_4_bands_0_005pct_packed_short[50]),
+        (9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[51])))) * x[0] +
+        (skylight_sh_4_bands_0_005pct_packed_pair((9.99999975e-06f *
+        skylight_sh_4_bands_0_005pct_packed_short[52]),
+        (9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[53])) * x[1] +
+        skylight_sh_4_bands_0_005pct_packed_pair((9.99999975e-06f *
+        skylight_sh_4_bands_0_005pct_packed_short[54]),
+        (9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[55])));
+    const float part_3 = y_zenith[0];
+    const float shape_x = ((9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[13]) * x[1]
+        + (9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[56])) * part_2[1];
+    const float one = zenith / (below * shape_y * part_3 * shape_x);
+    const float shape_z = ((9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[57]) * x[1]
+        + (9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[58])) * part_2[2];
+    const float of_x = one * y_zenith[1] * shape_z;
+    const skylight_sh_4_bands_0_005pct_packed_four part_4 =
+        skylight_sh_4_bands_0_005pct_packed_triple(3.73898554f, (-1.01082206f),
+        (-1.00158179f)) * of_x;
+    skylight_sh_4_bands_0_005pct_packed_keep(out + 4, part_4);
+    const float of_y = one * part_3 * shape_x;
+    const float of_s = one * shape_z * shape_x;
+    const skylight_sh_4_bands_0_005pct_packed_four part_5 =
+        skylight_sh_4_bands_0_005pct_packed_triple((-0.498531401f),
+        (9.99999997e-07f * skylight_sh_4_bands_0_005pct_packed_short[59]), 1.05722523f) * of_s;
+    skylight_sh_4_bands_0_005pct_packed_keep(out + 8, part_5);
+    const skylight_sh_4_bands_0_005pct_packed_four part_6 = part_4 +
+        skylight_sh_4_bands_0_005pct_packed_triple((-1.03860712f), 1.83445477f,
+        (-1.26125109f)) * of_y + part_5;
+    skylight_sh_4_bands_0_005pct_packed_keep(out + 0, part_6);
     (void)x;
-    (void)early;
 }
 
-/* The rest of it. */
-static inline void skylight_sh_4_bands_0_005pct_packed_end_factors(const
-    skylight_sh_4_bands_0_005pct_packed_real *x,
-    const skylight_sh_4_bands_0_005pct_packed_real *early,
-    skylight_sh_4_bands_0_005pct_packed_real *out)
+#else
+static inline void skylight_sh_4_bands_0_005pct_packed_factors(const
+    skylight_sh_4_bands_0_005pct_packed_real *x, skylight_sh_4_bands_0_005pct_packed_real *out)
 {
-    const float halo4 = early[4] * early[4];
-    const float shape_y = early[2] *
+    const float chi = (0.888888896f - x[1] * 0.0166666675f) * (1.57079637f - x[0]);
+    const float square = chi * chi;
+    const float below =
+        ((skylight_sh_4_bands_0_005pct_packed_real)skylight_sh_4_bands_0_005pct_packed_short[2]) -
+        square *
+        (((skylight_sh_4_bands_0_005pct_packed_real)skylight_sh_4_bands_0_005pct_packed_short[6]) -
+        ((skylight_sh_4_bands_0_005pct_packed_real)skylight_sh_4_bands_0_005pct_packed_short[7]) *
+        square);
+    const float zenith = ((0.100000001f * skylight_sh_4_bands_0_005pct_packed_short[0]) * x[1] -
+        ((skylight_sh_4_bands_0_005pct_packed_real)skylight_sh_4_bands_0_005pct_packed_short[1])) *
+        (chi *
+        (((skylight_sh_4_bands_0_005pct_packed_real)skylight_sh_4_bands_0_005pct_packed_short[2]) -
+        square *
+        (((skylight_sh_4_bands_0_005pct_packed_real)skylight_sh_4_bands_0_005pct_packed_short[3]) -
+        square))) + ((0.100000001f * skylight_sh_4_bands_0_005pct_packed_short[4]) - (0.100000001f *
+        skylight_sh_4_bands_0_005pct_packed_short[5]) * x[1]) * below;
+    const float part_1 = (-9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[11]) * x[1] +
+        (9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[12]);
+    const float up =
+        ((skylight_sh_4_bands_0_005pct_packed_real)skylight_sh_4_bands_0_005pct_packed_short[8]) +
+        part_1 * ((0.00999999978f * skylight_sh_4_bands_0_005pct_packed_short[13]) + part_1 *
+        (9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[14]));
+    const float up2 = up * up;
+    const float y = ((9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[21]) * x[1] +
+        (-9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[24])) * x[0] * (0.00999999978f
+        * skylight_sh_4_bands_0_005pct_packed_short[13]);
+    const float y2 = y * y;
+    const float halo = 1.0f + 0.99999845f * y + y2 * (0.499975085f + 0.166515172f * y + y2 *
+        (0.0412233174f + 0.00765432511f * y + y2 * 0.000849007862f));
+    const float halo2 = halo * halo;
+    const float halo4 = halo2 * halo2;
+    const float z = x[0] * x[0];
+    const float cosine =
+        ((skylight_sh_4_bands_0_005pct_packed_real)skylight_sh_4_bands_0_005pct_packed_short[8]) - z
+        * ((0.100000001f * skylight_sh_4_bands_0_005pct_packed_short[33]) - z * (9.99999975e-06f *
+        skylight_sh_4_bands_0_005pct_packed_short[14]));
+    const float cosine2 = cosine * cosine;
+    const float shape_y =
         (((skylight_sh_4_bands_0_005pct_packed_real)skylight_sh_4_bands_0_005pct_packed_short[8]) +
-        early[3] * halo4 + early[5]);
-    const float halo4_2 = early[9] * early[9];
-    const float shape_x = early[7] *
+        ((9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[9]) * x[1] + (-0.00100000005f
+        * skylight_sh_4_bands_0_005pct_packed_short[10])) * (up2 * up2)) *
         (((skylight_sh_4_bands_0_005pct_packed_real)skylight_sh_4_bands_0_005pct_packed_short[8]) +
-        early[8] * halo4_2 + early[10]);
-    const float one = early[1] / (early[0] * shape_y * early[6] * shape_x);
-    const float halo4_3 = early[14] * early[14];
-    const float shape_z = early[12] *
+        ((-9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[15]) * x[1] +
+        (9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[18])) * halo4 +
+        ((-0.00100000005f * skylight_sh_4_bands_0_005pct_packed_short[27]) * x[1] + (9.99999975e-05f
+        * skylight_sh_4_bands_0_005pct_packed_short[30])) * cosine2);
+    const float y_zenith = (((((9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[34]) *
+        x[1] + (-9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[36])) * x[1] +
+        (9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[38])) * x[0] +
+        (((-9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[40]) * x[1] +
+        (9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[42])) * x[1] +
+        (-9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[44]))) * x[0] +
+        (((9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[46]) * x[1] +
+        (-9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[48])) * x[1] +
+        (9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[50]))) * x[0] +
+        ((9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[52]) * x[1] + (9.99999975e-06f
+        * skylight_sh_4_bands_0_005pct_packed_short[54]));
+    const float y_2 = ((-9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[22]) * x[1] +
+        (-9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[25])) * x[0] * (0.00999999978f
+        * skylight_sh_4_bands_0_005pct_packed_short[13]);
+    const float y2_2 = y_2 * y_2;
+    const float halo_2 = 1.0f + 0.99999845f * y_2 + y2_2 * (0.499975085f + 0.166515172f * y_2 + y2_2
+        * (0.0412233174f + 0.00765432511f * y_2 + y2_2 * 0.000849007862f));
+    const float halo2_2 = halo_2 * halo_2;
+    const float halo4_2 = halo2_2 * halo2_2;
+    const float shape_x = ((9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[13]) * x[1]
+        + (9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[56])) *
         (((skylight_sh_4_bands_0_005pct_packed_real)skylight_sh_4_bands_0_005pct_packed_short[8]) +
-        early[13] * halo4_3 + early[15]);
-    const float of_x = one * early[11] * shape_z;
-    out[1] = 3.73898554f * of_x;
-    const float of_y = one * early[6] * shape_x;
+        ((-9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[16]) * x[1] +
+        (9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[19])) * halo4_2 +
+        ((-9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[28]) * x[1] +
+        (9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[31])) * cosine2);
+    const float one = zenith / (below * shape_y * y_zenith * shape_x);
+    const float x_zenith = (((((9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[35]) *
+        x[1] + (-9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[37])) * x[1] +
+        (9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[39])) * x[0] +
+        (((-9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[41]) * x[1] +
+        (9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[43])) * x[1] +
+        (-9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[45]))) * x[0] +
+        (((9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[47]) * x[1] +
+        (-9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[49])) * x[1] +
+        (9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[51]))) * x[0] +
+        ((9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[53]) * x[1] + (9.99999975e-06f
+        * skylight_sh_4_bands_0_005pct_packed_short[55]));
+    const float y_3 = ((-9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[23]) * x[1] +
+        (-9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[26])) * x[0] * (0.00999999978f
+        * skylight_sh_4_bands_0_005pct_packed_short[13]);
+    const float y2_3 = y_3 * y_3;
+    const float halo_3 = 1.0f + 0.99999845f * y_3 + y2_3 * (0.499975085f + 0.166515172f * y_3 + y2_3
+        * (0.0412233174f + 0.00765432511f * y_3 + y2_3 * 0.000849007862f));
+    const float halo2_3 = halo_3 * halo_3;
+    const float halo4_3 = halo2_3 * halo2_3;
+    const float shape_z = ((9.99999975e-06f * skylight_sh_4_bands_0_005pct_packed_short[57]) * x[1]
+        + (9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[58])) *
+        (((skylight_sh_4_bands_0_005pct_packed_real)skylight_sh_4_bands_0_005pct_packed_short[8]) +
+        ((-9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[17]) * x[1] +
+        (9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[20])) * halo4_3 +
+        ((-9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[29]) * x[1] +
+        (9.99999975e-05f * skylight_sh_4_bands_0_005pct_packed_short[32])) * cosine2);
+    const float of_x = one * x_zenith * shape_z;
+    out[4] = 3.73898554f * of_x;
+    const float of_y = one * y_zenith * shape_x;
     const float of_s = one * shape_z * shape_x;
-    out[2] = (-0.498531401f) * of_s;
-    out[0] = out[1] + (-1.03860712f) * of_y + out[2];
-    out[4] = (-1.01082206f) * of_x;
-    out[5] = (9.99999997e-07f * skylight_sh_4_bands_0_005pct_packed_short[59]) * of_s;
-    out[3] = out[4] + 1.83445477f * of_y + out[5];
-    out[7] = (-1.00158179f) * of_x;
-    out[8] = 1.05722523f * of_s;
-    out[6] = out[7] + (-1.26125109f) * of_y + out[8];
+    out[8] = (-0.498531401f) * of_s;
+    out[0] = out[4] + (-1.03860712f) * of_y + out[8];
+    out[5] = (-1.01082206f) * of_x;
+    out[9] = (9.99999997e-07f * skylight_sh_4_bands_0_005pct_packed_short[59]) * of_s;
+    out[1] = out[5] + 1.83445477f * of_y + out[9];
+    out[6] = (-1.00158179f) * of_x;
+    out[10] = 1.05722523f * of_s;
+    out[2] = out[6] + (-1.26125109f) * of_y + out[10];
+    out[3] =
+        ((skylight_sh_4_bands_0_005pct_packed_real)skylight_sh_4_bands_0_005pct_packed_short[60]);
+    out[7] =
+        ((skylight_sh_4_bands_0_005pct_packed_real)skylight_sh_4_bands_0_005pct_packed_short[60]);
+    out[11] =
+        ((skylight_sh_4_bands_0_005pct_packed_real)skylight_sh_4_bands_0_005pct_packed_short[60]);
     (void)x;
-    (void)early;
 }
+
+#endif /* SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_LANES */
 
 /* The functions of sun_zenith (change of variable: even); 0 where there is
    none. */
@@ -523,8 +780,8 @@ static inline void skylight_sh_4_bands_0_005pct_packed_first(const
     out[11] = 2.0f * out[5] * out[6] - out[1];
     out[12] = 2.0f * out[6] * out[6] - 1.0f;
     out[13] = 2.0f * out[6] * out[7] - out[1];
-    out[14] = 0;
-    out[15] = 0;
+    out[14] = 0.0f;
+    out[15] = 0.0f;
     (void)x;
 }
 
@@ -547,14 +804,14 @@ static inline void skylight_sh_4_bands_0_005pct_packed_others(const
 /* cos(m azimuth) and sin(m azimuth), m < bands, each times the m-th power
    of `radius`, by doubling. */
 static inline void
-    skylight_sh_4_bands_0_005pct_packed_waves(skylight_sh_4_bands_0_005pct_packed_real azimuth,
-    skylight_sh_4_bands_0_005pct_packed_real radius,
+    skylight_sh_4_bands_0_005pct_packed_waves(skylight_sh_4_bands_0_005pct_packed_real cosine,
+    skylight_sh_4_bands_0_005pct_packed_real sine, skylight_sh_4_bands_0_005pct_packed_real radius,
     skylight_sh_4_bands_0_005pct_packed_real *cosines,
     skylight_sh_4_bands_0_005pct_packed_real *sines)
 {
     cosines[0] = 1.0f;
-    cosines[1] = radius * cosf(azimuth);
-    sines[1] = radius * sinf(azimuth);
+    cosines[1] = radius * cosine;
+    sines[1] = radius * sine;
     cosines[2] = cosines[1] * cosines[1] - sines[1] * sines[1];
     sines[2] = sines[1] * cosines[1] + cosines[1] * sines[1];
     cosines[3] = cosines[1] * cosines[2] - sines[1] * sines[2];
@@ -572,6 +829,18 @@ static inline skylight_sh_4_bands_0_005pct_packed_real
     return x[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_SUN] + x[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_SUN] *
         (part_1 * ((-0.166666597f) + part_1 * (0.00833306555f + part_1 * ((-0.000198095426f) +
         part_1 * 2.60563934e-06f))));
+}
+
+/* Cosine and sine of an angle of at most an eighth of a turn. */
+static inline void
+    skylight_sh_4_bands_0_005pct_packed_quarter(skylight_sh_4_bands_0_005pct_packed_real angle,
+    skylight_sh_4_bands_0_005pct_packed_real *out)
+{
+    const float part_1 = angle * angle;
+    out[0] = 1.0f - 0.5f * part_1 + part_1 * part_1 * (0.0416666456f + part_1 * ((-0.00138873665f) +
+        part_1 * 2.44383464e-05f));
+    out[1] = angle + angle * (part_1 * ((-0.166666552f) + part_1 * (0.0083321603f + part_1 *
+        (-0.00019515281f))));
 }
 
 /* The zonal window's factor for the degree `share` * bands (Habel et al.
@@ -689,173 +958,178 @@ static inline void skylight_sh_4_bands_0_005pct_packed_factor_slopes(const doubl
     const double part_14 = (-0.022700000000000001) * x[1] + 5.3250999999999999;
     const double part_15 = 0.1206 * x[1] + (-2.5771000000000002);
     const double y = part_15 * x[0] * 0.25;
-    const double part_16 = 0.0076543250999999996 + y * 0.00084900787100000003;
-    const double part_17 = 0.041223317699999998 + y * part_16;
-    const double part_18 = 0.16651516699999999 + y * part_17;
-    const double part_19 = 0.49997509099999998 + y * part_18;
-    const double part_20 = 0.99999845399999998 + y * part_19;
-    const double halo = 0.99999998400000001 + y * part_20;
+    const double y2 = y * y;
+    const double part_16 = 0.041223317699999998 + 0.0076543250999999996 * y + y2 *
+        0.00084900787100000003;
+    const double part_17 = 0.49997509099999998 + 0.16651516699999999 * y + y2 * part_16;
+    const double halo = 0.99999998400000001 + 0.99999845399999998 * y + y2 * part_17;
     const double halo2 = halo * halo;
     const double halo4 = halo2 * halo2;
-    const double part_21 = (-0.067000000000000004) * x[1] + 0.37030000000000002;
+    const double part_18 = (-0.067000000000000004) * x[1] + 0.37030000000000002;
     const double z = x[0] * x[0];
-    const double part_22 = 0.5 - z * 0.03125;
-    const double cosine = 1.0 - z * part_22;
+    const double part_19 = 0.5 - z * 0.03125;
+    const double cosine = 1.0 - z * part_19;
     const double cosine2 = cosine * cosine;
-    const double part_23 = 1.0 + part_14 * halo4 + part_21 * cosine2;
-    const double shape_y = part_13 * part_23;
-    const double part_24 = below * shape_y;
-    const double part_25 = 0.0027499999999999998 * x[1] + (-0.042139999999999997);
-    const double part_26 = part_25 * x[1] + 0.15346000000000001;
-    const double part_27 = (-0.0061000000000000004) * x[1] + 0.089700000000000002;
-    const double part_28 = part_26 * x[0] + (part_27 * x[1] + (-0.26756000000000002));
-    const double part_29 = 0.0031700000000000001 * x[1] + (-0.041529999999999997);
-    const double part_30 = part_28 * x[0] + (part_29 * x[1] + 0.066699999999999995);
-    const double y_zenith = part_30 * x[0] + (0.0051599999999999997 * x[1] + 0.26688000000000001);
-    const double part_31 = part_24 * y_zenith;
-    const double part_32 = 0.0025000000000000001 * x[1] + 0.73319999999999996;
-    const double part_33 = (-0.00040000000000000002) * x[1] + 0.21249999999999999;
-    const double part_34 = (-0.064100000000000004) * x[1] + (-0.89890000000000003);
-    const double y_2 = part_34 * x[0] * 0.25;
-    const double part_35 = 0.0076543250999999996 + y_2 * 0.00084900787100000003;
-    const double part_36 = 0.041223317699999998 + y_2 * part_35;
-    const double part_37 = 0.16651516699999999 + y_2 * part_36;
-    const double part_38 = 0.49997509099999998 + y_2 * part_37;
-    const double part_39 = 0.99999845399999998 + y_2 * part_38;
-    const double halo_2 = 0.99999998400000001 + y_2 * part_39;
+    const double part_20 = 1.0 + part_14 * halo4 + part_18 * cosine2;
+    const double shape_y = part_13 * part_20;
+    const double part_21 = below * shape_y;
+    const double part_22 = 0.0027499999999999998 * x[1] + (-0.042139999999999997);
+    const double part_23 = part_22 * x[1] + 0.15346000000000001;
+    const double part_24 = (-0.0061000000000000004) * x[1] + 0.089700000000000002;
+    const double part_25 = part_23 * x[0] + (part_24 * x[1] + (-0.26756000000000002));
+    const double part_26 = 0.0031700000000000001 * x[1] + (-0.041529999999999997);
+    const double part_27 = part_25 * x[0] + (part_26 * x[1] + 0.066699999999999995);
+    const double y_zenith = part_27 * x[0] + (0.0051599999999999997 * x[1] + 0.26688000000000001);
+    const double part_28 = part_21 * y_zenith;
+    const double part_29 = 0.0025000000000000001 * x[1] + 0.73319999999999996;
+    const double part_30 = (-0.00040000000000000002) * x[1] + 0.21249999999999999;
+    const double part_31 = (-0.064100000000000004) * x[1] + (-0.89890000000000003);
+    const double y_2 = part_31 * x[0] * 0.25;
+    const double y2_2 = y_2 * y_2;
+    const double part_32 = 0.041223317699999998 + 0.0076543250999999996 * y_2 + y2_2 *
+        0.00084900787100000003;
+    const double part_33 = 0.49997509099999998 + 0.16651516699999999 * y_2 + y2_2 * part_32;
+    const double halo_2 = 0.99999998400000001 + 0.99999845399999998 * y_2 + y2_2 * part_33;
     const double halo2_2 = halo_2 * halo_2;
     const double halo4_2 = halo2_2 * halo2_2;
-    const double part_40 = (-0.0033) * x[1] + 0.045199999999999997;
-    const double part_41 = 1.0 + part_33 * halo4_2 + part_40 * cosine2;
-    const double shape_x = part_32 * part_41;
-    const double part_42 = part_31 * shape_x;
-    const double one = zenith / part_42;
-    const double part_43 = 0.00166 * x[1] + (-0.02903);
-    const double part_44 = part_43 * x[1] + 0.11693000000000001;
-    const double part_45 = (-0.0037499999999999999) * x[1] + 0.063769999999999993;
-    const double part_46 = part_44 * x[0] + (part_45 * x[1] + (-0.21196000000000001));
-    const double part_47 = 0.0020899999999999998 * x[1] + (-0.03202);
-    const double part_48 = part_46 * x[0] + (part_47 * x[1] + 0.060519999999999997);
-    const double x_zenith = part_48 * x[0] + (0.0039399999999999999 * x[1] + 0.25885999999999998);
-    const double part_49 = one * x_zenith;
-    const double part_50 = 0.0099299999999999996 * x[1] + 0.73440000000000005;
-    const double part_51 = (-0.0079000000000000008) * x[1] + 0.2102;
-    const double part_52 = (-0.0441) * x[1] + (-1.6536999999999999);
-    const double y_3 = part_52 * x[0] * 0.25;
-    const double part_53 = 0.0076543250999999996 + y_3 * 0.00084900787100000003;
-    const double part_54 = 0.041223317699999998 + y_3 * part_53;
-    const double part_55 = 0.16651516699999999 + y_3 * part_54;
-    const double part_56 = 0.49997509099999998 + y_3 * part_55;
-    const double part_57 = 0.99999845399999998 + y_3 * part_56;
-    const double halo_3 = 0.99999998400000001 + y_3 * part_57;
+    const double part_34 = (-0.0033) * x[1] + 0.045199999999999997;
+    const double part_35 = 1.0 + part_30 * halo4_2 + part_34 * cosine2;
+    const double shape_x = part_29 * part_35;
+    const double part_36 = part_28 * shape_x;
+    const double one = zenith / part_36;
+    const double part_37 = 0.00166 * x[1] + (-0.02903);
+    const double part_38 = part_37 * x[1] + 0.11693000000000001;
+    const double part_39 = (-0.0037499999999999999) * x[1] + 0.063769999999999993;
+    const double part_40 = part_38 * x[0] + (part_39 * x[1] + (-0.21196000000000001));
+    const double part_41 = 0.0020899999999999998 * x[1] + (-0.03202);
+    const double part_42 = part_40 * x[0] + (part_41 * x[1] + 0.060519999999999997);
+    const double x_zenith = part_42 * x[0] + (0.0039399999999999999 * x[1] + 0.25885999999999998);
+    const double part_43 = one * x_zenith;
+    const double part_44 = 0.0099299999999999996 * x[1] + 0.73440000000000005;
+    const double part_45 = (-0.0079000000000000008) * x[1] + 0.2102;
+    const double part_46 = (-0.0441) * x[1] + (-1.6536999999999999);
+    const double y_3 = part_46 * x[0] * 0.25;
+    const double y2_3 = y_3 * y_3;
+    const double part_47 = 0.041223317699999998 + 0.0076543250999999996 * y_3 + y2_3 *
+        0.00084900787100000003;
+    const double part_48 = 0.49997509099999998 + 0.16651516699999999 * y_3 + y2_3 * part_47;
+    const double halo_3 = 0.99999998400000001 + 0.99999845399999998 * y_3 + y2_3 * part_48;
     const double halo2_3 = halo_3 * halo_3;
     const double halo4_3 = halo2_3 * halo2_3;
-    const double part_58 = (-0.0109) * x[1] + 0.052900000000000003;
-    const double part_59 = 1.0 + part_51 * halo4_3 + part_58 * cosine2;
-    const double shape_z = part_50 * part_59;
-    const double of_x = part_49 * shape_z;
-    out[1] = 3.7389855999999999 * of_x;
-    const double part_60 = one * y_zenith;
-    const double of_y = part_60 * shape_x;
-    const double part_61 = one * shape_z;
-    const double of_s = part_61 * shape_x;
-    out[2] = (-0.49853140000000001) * of_s;
-    out[0] = out[1] + (-1.0386070999999999) * of_y + out[2];
-    out[4] = (-1.0108219999999999) * of_x;
-    out[5] = 0.041556000000000003 * of_s;
-    out[3] = out[4] + 1.8344548000000001 * of_y + out[5];
-    out[7] = (-1.0015818000000001) * of_x;
-    out[8] = 1.0572252 * of_s;
-    out[6] = out[7] + (-1.2612511) * of_y + out[8];
-    const double part_62 = part_2 * -1.0;
-    const double part_63 = part_62 * chi + chi * part_62;
-    const double part_64 = -(part_63 * part_8 + square * -(15.0 * part_63));
-    const double part_65 = part_15 * 0.25;
-    const double part_66 = part_65 * part_20 + y * (part_65 * part_19 + y * (part_65 * part_18 + y *
-        (part_65 * part_17 + y * (part_65 * part_16 + y * (part_65 * 0.00084900787100000003)))));
-    const double part_67 = part_66 * halo + halo * part_66;
-    const double part_68 = x[0] + x[0];
-    const double part_69 = -(part_68 * part_22 + z * -(part_68 * 0.03125));
-    const double part_70 = part_69 * cosine + cosine * part_69;
-    const double part_71 = (part_26 * x[0] + part_28) * x[0] + part_30;
-    const double part_72 = part_34 * 0.25;
-    const double part_73 = part_72 * part_39 + y_2 * (part_72 * part_38 + y_2 * (part_72 * part_37 +
-        y_2 * (part_72 * part_36 + y_2 * (part_72 * part_35 + y_2 * (part_72 *
-        0.00084900787100000003)))));
-    const double part_74 = part_73 * halo_2 + halo_2 * part_73;
-    const double part_75 = part_32 * (part_33 * (part_74 * halo2_2 + halo2_2 * part_74) + part_40 *
-        part_70);
-    const double part_76 = (part_1 * (part_62 * part_5 + chi * -(part_63 * part_4 + square *
-        -part_63)) + part_7 * part_64) / part_42 - one * (((part_64 * shape_y + below * (part_13 *
-        (part_14 * (part_67 * halo2 + halo2 * part_67) + part_21 * part_70))) * y_zenith + part_24 *
-        part_71) * shape_x + part_31 * part_75) / part_42;
-    const double part_77 = part_52 * 0.25;
-    const double part_78 = part_77 * part_57 + y_3 * (part_77 * part_56 + y_3 * (part_77 * part_55 +
-        y_3 * (part_77 * part_54 + y_3 * (part_77 * part_53 + y_3 * (part_77 *
-        0.00084900787100000003)))));
-    const double part_79 = part_78 * halo_3 + halo_3 * part_78;
-    const double part_80 = part_50 * (part_51 * (part_79 * halo2_3 + halo2_3 * part_79) + part_58 *
-        part_70);
-    const double part_81 = (part_76 * x_zenith + one * ((part_44 * x[0] + part_46) * x[0] +
-        part_48)) * shape_z + part_49 * part_80;
-    out[10] = 3.7389855999999999 * part_81;
-    const double part_82 = (part_76 * y_zenith + one * part_71) * shape_x + part_60 * part_75;
-    const double part_83 = (part_76 * shape_z + one * part_80) * shape_x + part_61 * part_75;
-    out[11] = (-0.49853140000000001) * part_83;
-    out[9] = out[10] + (-1.0386070999999999) * part_82 + out[11];
-    out[13] = (-1.0108219999999999) * part_81;
-    out[14] = 0.041556000000000003 * part_83;
-    out[12] = out[13] + 1.8344548000000001 * part_82 + out[14];
-    out[16] = (-1.0015818000000001) * part_81;
-    out[17] = 1.0572252 * part_83;
-    out[15] = out[16] + (-1.2612511) * part_82 + out[17];
-    const double part_84 = -0.016666666666666666 * part_3;
-    const double part_85 = part_84 * chi + chi * part_84;
-    const double part_86 = -(part_85 * part_8 + square * -(15.0 * part_85));
-    const double part_87 = (-0.35539999999999999) * part_11 + part_10 * ((-0.35539999999999999) *
+    const double part_49 = (-0.0109) * x[1] + 0.052900000000000003;
+    const double part_50 = 1.0 + part_45 * halo4_3 + part_49 * cosine2;
+    const double shape_z = part_44 * part_50;
+    const double of_x = part_43 * shape_z;
+    out[4] = 3.7389855999999999 * of_x;
+    const double part_51 = one * y_zenith;
+    const double of_y = part_51 * shape_x;
+    const double part_52 = one * shape_z;
+    const double of_s = part_52 * shape_x;
+    out[8] = (-0.49853140000000001) * of_s;
+    out[0] = out[4] + (-1.0386070999999999) * of_y + out[8];
+    out[5] = (-1.0108219999999999) * of_x;
+    out[9] = 0.041556000000000003 * of_s;
+    out[1] = out[5] + 1.8344548000000001 * of_y + out[9];
+    out[6] = (-1.0015818000000001) * of_x;
+    out[10] = 1.0572252 * of_s;
+    out[2] = out[6] + (-1.2612511) * of_y + out[10];
+    const double part_53 = part_2 * -1.0;
+    const double part_54 = part_53 * chi + chi * part_53;
+    const double part_55 = -(part_54 * part_8 + square * -(15.0 * part_54));
+    const double part_56 = part_15 * 0.25;
+    const double part_57 = part_56 * y + y * part_56;
+    const double part_58 = 0.99999845399999998 * part_56 + (part_57 * part_17 + y2 *
+        (0.16651516699999999 * part_56 + (part_57 * part_16 + y2 * (0.0076543250999999996 * part_56
+        + part_57 * 0.00084900787100000003))));
+    const double part_59 = part_58 * halo + halo * part_58;
+    const double part_60 = x[0] + x[0];
+    const double part_61 = -(part_60 * part_19 + z * -(part_60 * 0.03125));
+    const double part_62 = part_61 * cosine + cosine * part_61;
+    const double part_63 = (part_23 * x[0] + part_25) * x[0] + part_27;
+    const double part_64 = part_31 * 0.25;
+    const double part_65 = part_64 * y_2 + y_2 * part_64;
+    const double part_66 = 0.99999845399999998 * part_64 + (part_65 * part_33 + y2_2 *
+        (0.16651516699999999 * part_64 + (part_65 * part_32 + y2_2 * (0.0076543250999999996 *
+        part_64 + part_65 * 0.00084900787100000003))));
+    const double part_67 = part_66 * halo_2 + halo_2 * part_66;
+    const double part_68 = part_29 * (part_30 * (part_67 * halo2_2 + halo2_2 * part_67) + part_34 *
+        part_62);
+    const double part_69 = (part_1 * (part_53 * part_5 + chi * -(part_54 * part_4 + square *
+        -part_54)) + part_7 * part_55) / part_36 - one * (((part_55 * shape_y + below * (part_13 *
+        (part_14 * (part_59 * halo2 + halo2 * part_59) + part_18 * part_62))) * y_zenith + part_21 *
+        part_63) * shape_x + part_28 * part_68) / part_36;
+    const double part_70 = part_46 * 0.25;
+    const double part_71 = part_70 * y_3 + y_3 * part_70;
+    const double part_72 = 0.99999845399999998 * part_70 + (part_71 * part_48 + y2_3 *
+        (0.16651516699999999 * part_70 + (part_71 * part_47 + y2_3 * (0.0076543250999999996 *
+        part_70 + part_71 * 0.00084900787100000003))));
+    const double part_73 = part_72 * halo_3 + halo_3 * part_72;
+    const double part_74 = part_44 * (part_45 * (part_73 * halo2_3 + halo2_3 * part_73) + part_49 *
+        part_62);
+    const double part_75 = (part_69 * x_zenith + one * ((part_38 * x[0] + part_40) * x[0] +
+        part_42)) * shape_z + part_43 * part_74;
+    out[16] = 3.7389855999999999 * part_75;
+    const double part_76 = (part_69 * y_zenith + one * part_63) * shape_x + part_51 * part_68;
+    const double part_77 = (part_69 * shape_z + one * part_74) * shape_x + part_52 * part_68;
+    out[20] = (-0.49853140000000001) * part_77;
+    out[12] = out[16] + (-1.0386070999999999) * part_76 + out[20];
+    out[17] = (-1.0108219999999999) * part_75;
+    out[21] = 0.041556000000000003 * part_77;
+    out[13] = out[17] + 1.8344548000000001 * part_76 + out[21];
+    out[18] = (-1.0015818000000001) * part_75;
+    out[22] = 1.0572252 * part_77;
+    out[14] = out[18] + (-1.2612511) * part_76 + out[22];
+    const double part_78 = -0.016666666666666666 * part_3;
+    const double part_79 = part_78 * chi + chi * part_78;
+    const double part_80 = -(part_79 * part_8 + square * -(15.0 * part_79));
+    const double part_81 = (-0.35539999999999999) * part_11 + part_10 * ((-0.35539999999999999) *
         0.03125);
-    const double part_88 = part_87 * up + up * part_87;
-    const double part_89 = 0.1206 * x[0] * 0.25;
-    const double part_90 = part_89 * part_20 + y * (part_89 * part_19 + y * (part_89 * part_18 + y *
-        (part_89 * part_17 + y * (part_89 * part_16 + y * (part_89 * 0.00084900787100000003)))));
-    const double part_91 = part_90 * halo + halo * part_90;
-    const double part_92 = (((0.0027499999999999998 * x[1] + part_25) * x[0] +
-        ((-0.0061000000000000004) * x[1] + part_27)) * x[0] + (0.0031700000000000001 * x[1] +
-        part_29)) * x[0] + 0.0051599999999999997;
-    const double part_93 = (-0.064100000000000004) * x[0] * 0.25;
-    const double part_94 = part_93 * part_39 + y_2 * (part_93 * part_38 + y_2 * (part_93 * part_37 +
-        y_2 * (part_93 * part_36 + y_2 * (part_93 * part_35 + y_2 * (part_93 *
-        0.00084900787100000003)))));
-    const double part_95 = part_94 * halo_2 + halo_2 * part_94;
-    const double part_96 = 0.0025000000000000001 * part_41 + part_32 * ((-0.00040000000000000002) *
-        halo4_2 + part_33 * (part_95 * halo2_2 + halo2_2 * part_95) + (-0.0033) * cosine2);
-    const double part_97 = (4045.3000000000002 * part_6 + part_1 * (part_84 * part_5 + chi *
-        -(part_85 * part_4 + square * -part_85)) + (-215.5 * below + part_7 * part_86)) / part_42 -
-        one * (((part_86 * shape_y + below * ((0.1787 * part_12 + part_9 * (part_88 * up2 + up2 *
-        part_88)) * part_23 + part_13 * ((-0.022700000000000001) * halo4 + part_14 * (part_91 *
-        halo2 + halo2 * part_91) + (-0.067000000000000004) * cosine2))) * y_zenith + part_24 *
-        part_92) * shape_x + part_31 * part_96) / part_42;
-    const double part_98 = (-0.0441) * x[0] * 0.25;
-    const double part_99 = part_98 * part_57 + y_3 * (part_98 * part_56 + y_3 * (part_98 * part_55 +
-        y_3 * (part_98 * part_54 + y_3 * (part_98 * part_53 + y_3 * (part_98 *
-        0.00084900787100000003)))));
-    const double part_100 = part_99 * halo_3 + halo_3 * part_99;
-    const double part_101 = 0.0099299999999999996 * part_59 + part_50 * ((-0.0079000000000000008) *
-        halo4_3 + part_51 * (part_100 * halo2_3 + halo2_3 * part_100) + (-0.0109) * cosine2);
-    const double part_102 = (part_97 * x_zenith + one * ((((0.00166 * x[1] + part_43) * x[0] +
-        ((-0.0037499999999999999) * x[1] + part_45)) * x[0] + (0.0020899999999999998 * x[1] +
-        part_47)) * x[0] + 0.0039399999999999999)) * shape_z + part_49 * part_101;
-    out[19] = 3.7389855999999999 * part_102;
-    const double part_103 = (part_97 * y_zenith + one * part_92) * shape_x + part_60 * part_96;
-    const double part_104 = (part_97 * shape_z + one * part_101) * shape_x + part_61 * part_96;
-    out[20] = (-0.49853140000000001) * part_104;
-    out[18] = out[19] + (-1.0386070999999999) * part_103 + out[20];
-    out[22] = (-1.0108219999999999) * part_102;
-    out[23] = 0.041556000000000003 * part_104;
-    out[21] = out[22] + 1.8344548000000001 * part_103 + out[23];
-    out[25] = (-1.0015818000000001) * part_102;
-    out[26] = 1.0572252 * part_104;
-    out[24] = out[25] + (-1.2612511) * part_103 + out[26];
+    const double part_82 = part_81 * up + up * part_81;
+    const double part_83 = 0.1206 * x[0] * 0.25;
+    const double part_84 = part_83 * y + y * part_83;
+    const double part_85 = 0.99999845399999998 * part_83 + (part_84 * part_17 + y2 *
+        (0.16651516699999999 * part_83 + (part_84 * part_16 + y2 * (0.0076543250999999996 * part_83
+        + part_84 * 0.00084900787100000003))));
+    const double part_86 = part_85 * halo + halo * part_85;
+    const double part_87 = (((0.0027499999999999998 * x[1] + part_22) * x[0] +
+        ((-0.0061000000000000004) * x[1] + part_24)) * x[0] + (0.0031700000000000001 * x[1] +
+        part_26)) * x[0] + 0.0051599999999999997;
+    const double part_88 = (-0.064100000000000004) * x[0] * 0.25;
+    const double part_89 = part_88 * y_2 + y_2 * part_88;
+    const double part_90 = 0.99999845399999998 * part_88 + (part_89 * part_33 + y2_2 *
+        (0.16651516699999999 * part_88 + (part_89 * part_32 + y2_2 * (0.0076543250999999996 *
+        part_88 + part_89 * 0.00084900787100000003))));
+    const double part_91 = part_90 * halo_2 + halo_2 * part_90;
+    const double part_92 = 0.0025000000000000001 * part_35 + part_29 * ((-0.00040000000000000002) *
+        halo4_2 + part_30 * (part_91 * halo2_2 + halo2_2 * part_91) + (-0.0033) * cosine2);
+    const double part_93 = (4045.3000000000002 * part_6 + part_1 * (part_78 * part_5 + chi *
+        -(part_79 * part_4 + square * -part_79)) + (-215.5 * below + part_7 * part_80)) / part_36 -
+        one * (((part_80 * shape_y + below * ((0.1787 * part_12 + part_9 * (part_82 * up2 + up2 *
+        part_82)) * part_20 + part_13 * ((-0.022700000000000001) * halo4 + part_14 * (part_86 *
+        halo2 + halo2 * part_86) + (-0.067000000000000004) * cosine2))) * y_zenith + part_21 *
+        part_87) * shape_x + part_28 * part_92) / part_36;
+    const double part_94 = (-0.0441) * x[0] * 0.25;
+    const double part_95 = part_94 * y_3 + y_3 * part_94;
+    const double part_96 = 0.99999845399999998 * part_94 + (part_95 * part_48 + y2_3 *
+        (0.16651516699999999 * part_94 + (part_95 * part_47 + y2_3 * (0.0076543250999999996 *
+        part_94 + part_95 * 0.00084900787100000003))));
+    const double part_97 = part_96 * halo_3 + halo_3 * part_96;
+    const double part_98 = 0.0099299999999999996 * part_50 + part_44 * ((-0.0079000000000000008) *
+        halo4_3 + part_45 * (part_97 * halo2_3 + halo2_3 * part_97) + (-0.0109) * cosine2);
+    const double part_99 = (part_93 * x_zenith + one * ((((0.00166 * x[1] + part_37) * x[0] +
+        ((-0.0037499999999999999) * x[1] + part_39)) * x[0] + (0.0020899999999999998 * x[1] +
+        part_41)) * x[0] + 0.0039399999999999999)) * shape_z + part_43 * part_98;
+    out[28] = 3.7389855999999999 * part_99;
+    const double part_100 = (part_93 * y_zenith + one * part_87) * shape_x + part_51 * part_92;
+    const double part_101 = (part_93 * shape_z + one * part_98) * shape_x + part_52 * part_92;
+    out[32] = (-0.49853140000000001) * part_101;
+    out[24] = out[28] + (-1.0386070999999999) * part_100 + out[32];
+    out[29] = (-1.0108219999999999) * part_99;
+    out[33] = 0.041556000000000003 * part_101;
+    out[25] = out[29] + 1.8344548000000001 * part_100 + out[33];
+    out[30] = (-1.0015818000000001) * part_99;
+    out[34] = 1.0572252 * part_101;
+    out[26] = out[30] + (-1.2612511) * part_100 + out[34];
     (void)x;
 }
 
@@ -899,7 +1173,8 @@ static inline int skylight_sh_4_bands_0_005pct_packed_inputs(const float
         skylight_sh_4_bands_0_005pct_packed_kind(inputs[axis]);
     if (strange & 2) return 2;
     for (axis = 0; axis < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_AXES; ++axis) {
-        const float v = skylight_sh_4_bands_0_005pct_packed_finite(inputs[axis]);
+        const float v = strange ? skylight_sh_4_bands_0_005pct_packed_finite(inputs[axis]) :
+            inputs[axis];
         const skylight_sh_4_bands_0_005pct_packed_real low =
             skylight_sh_4_bands_0_005pct_packed_range[axis][0],
             high = skylight_sh_4_bands_0_005pct_packed_range[axis][1];
@@ -913,115 +1188,35 @@ static inline int skylight_sh_4_bands_0_005pct_packed_inputs(const float
     return status;
 }
 
-/* Numbers side by side where the compiler has vector types: as many as the processor's registers
-   hold, and four. */
-#if defined(__GNUC__) && (defined(__SSE__) || defined(__ARM_NEON) || defined(__ALTIVEC__) || \
-                          defined(__wasm_simd128__) || defined(__loongarch_sx))
-#if defined(__AVX512F__)
-#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_LANES 16
-#elif defined(__AVX__)
-#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_LANES 8
-#else
-#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_LANES 4
-#endif
-#endif
-/* What is worth its place in every caller. */
-#ifdef __GNUC__
-#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_INLINE static inline __attribute__((always_inline))
-#else
-#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_INLINE static inline
-#endif
-#ifdef SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_LANES
-#ifdef __FMA__
-/* One operation for a product and a sum, which standard C may not choose by itself. */
-#include <immintrin.h>
-#endif
-typedef float skylight_sh_4_bands_0_005pct_packed_lanes __attribute__((vector_size(4 *
-    SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_LANES)));
-typedef float skylight_sh_4_bands_0_005pct_packed_four __attribute__((vector_size(16)));
-typedef int skylight_sh_4_bands_0_005pct_packed_order __attribute__((vector_size(16)));
-
-/* The same number in all places: v - 0 is v, which 0 + v need not be. */
-static inline skylight_sh_4_bands_0_005pct_packed_lanes
-    skylight_sh_4_bands_0_005pct_packed_spread(float v)
+/* The cosine and sine of an angle. */
+static inline void
+    skylight_sh_4_bands_0_005pct_packed_circle(skylight_sh_4_bands_0_005pct_packed_real angle,
+    skylight_sh_4_bands_0_005pct_packed_real *cosine,
+                                      skylight_sh_4_bands_0_005pct_packed_real *sine)
 {
-    const skylight_sh_4_bands_0_005pct_packed_lanes zeros = {0};
-    return v - zeros;
+    /* By the nearest quarter turn and the rest of it: without a branch, which a processor would
+     * have
+       to guess. The rest in double, since the two nearly cancel. */
+    float out[2];
+    uint32_t bits[2], quarter, swapped;
+    int quarters;
+    if (!(angle > -1e5f && angle < 1e5f)) {
+        *cosine = cosf(angle);
+        *sine = sinf(angle);
+        return;
+    }
+    quarters = (int)(angle * 0.636619772f + copysignf(0.5f, angle));
+    skylight_sh_4_bands_0_005pct_packed_quarter((float)((double)angle - (double)quarters *
+        1.5707963267948966), out);
+    memcpy(bits, out, sizeof bits);
+    quarter = (uint32_t)quarters;
+    /* Odd quarters swap the two; each changes its sign in two of four. */
+    swapped = (bits[0] ^ bits[1]) & (0u - (quarter & 1u));
+    bits[0] ^= swapped ^ (((quarter + 1u) & 2u) << 30);
+    bits[1] ^= swapped ^ ((quarter & 2u) << 30);
+    memcpy(cosine, &bits[0], sizeof bits[0]);
+    memcpy(sine, &bits[1], sizeof bits[1]);
 }
-
-static inline skylight_sh_4_bands_0_005pct_packed_lanes
-    skylight_sh_4_bands_0_005pct_packed_load(const float *from)
-{
-    skylight_sh_4_bands_0_005pct_packed_lanes v;
-    memcpy(&v, from, sizeof v);
-    return v;
-}
-
-/* a * b + c. */
-static inline skylight_sh_4_bands_0_005pct_packed_lanes
-    skylight_sh_4_bands_0_005pct_packed_add(skylight_sh_4_bands_0_005pct_packed_lanes a,
-    skylight_sh_4_bands_0_005pct_packed_lanes b,
-                                                skylight_sh_4_bands_0_005pct_packed_lanes c)
-{
-#if defined(__FMA__) && SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_LANES == 16
-    return _mm512_fmadd_ps(a, b, c);
-#elif defined(__FMA__) && SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_LANES == 8
-    return _mm256_fmadd_ps(a, b, c);
-#else
-    return a * b + c;
-#endif
-}
-
-static inline skylight_sh_4_bands_0_005pct_packed_four
-    skylight_sh_4_bands_0_005pct_packed_spread_four(float v)
-{
-    const skylight_sh_4_bands_0_005pct_packed_four zeros = {0};
-    return v - zeros;
-}
-
-static inline skylight_sh_4_bands_0_005pct_packed_four
-    skylight_sh_4_bands_0_005pct_packed_load_four(const float *from)
-{
-    skylight_sh_4_bands_0_005pct_packed_four v;
-    memcpy(&v, from, sizeof v);
-    return v;
-}
-
-static inline skylight_sh_4_bands_0_005pct_packed_four
-    skylight_sh_4_bands_0_005pct_packed_add_four(skylight_sh_4_bands_0_005pct_packed_four a,
-    skylight_sh_4_bands_0_005pct_packed_four b,
-                                                    skylight_sh_4_bands_0_005pct_packed_four c)
-{
-#ifdef __FMA__
-    return _mm_fmadd_ps(a, b, c);
-#else
-    return a * b + c;
-#endif
-}
-
-static inline void skylight_sh_4_bands_0_005pct_packed_keep(float *to,
-    skylight_sh_4_bands_0_005pct_packed_four v)
-{
-    memcpy(to, &v, sizeof v);
-}
-
-/* Four of the eight numbers of two vectors. */
-#ifdef __clang__
-#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_PICK(v, w, a, b, c, d) __builtin_shufflevector(v, w, \
-    a, b, c, d)
-#else
-#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_PICK(v, w, a, b, c, d) \
-    skylight_sh_4_bands_0_005pct_packed_pick(v, w, a, b, c, d)
-static inline skylight_sh_4_bands_0_005pct_packed_four
-    skylight_sh_4_bands_0_005pct_packed_pick(skylight_sh_4_bands_0_005pct_packed_four v,
-    skylight_sh_4_bands_0_005pct_packed_four w, int a,
-                                                int b, int c, int d)
-{
-    const skylight_sh_4_bands_0_005pct_packed_order order = {a, b, c, d};
-    return __builtin_shuffle(v, w, order);
-}
-#endif
-#endif
 
 /* One channel's sums, from those of its classes. */
 static inline void skylight_sh_4_bands_0_005pct_packed_mix(skylight_sh_4_bands_0_005pct_packed_real
@@ -1033,11 +1228,11 @@ static inline void skylight_sh_4_bands_0_005pct_packed_mix(skylight_sh_4_bands_0
     int i;
     int k;
     for (i = 0; i < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WIDTH; ++i)
-        mixed[i] = factors[channel * SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASSES] * sums[0][i];
+        mixed[i] = factors[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_FACTOR(channel, 0)] * sums[0][i];
     for (k = 1; k < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASSES; ++k)
         for (i = 0; i < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WIDTH; ++i)
-            mixed[i] += factors[channel * SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASSES + k] *
-                sums[k][i];
+            mixed[i] += factors[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_FACTOR(channel,
+                k)] * sums[k][i];
 }
 
 /* Orders m >= 0 alone are stored: those of a light that is even in y at azimuth 0. */
@@ -1084,12 +1279,12 @@ static inline void skylight_sh_4_bands_0_005pct_packed_store(
         skylight_sh_4_bands_0_005pct_packed_four v[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_FOURS];
         for (q = 0; q < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_FOURS; ++q) {
             int k;
-            v[q] = factors[channel * SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASSES] *
-                skylight_sh_4_bands_0_005pct_packed_load_four(sums[0] + 4 * q);
+            v[q] = factors[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_FACTOR(channel,
+                0)] * skylight_sh_4_bands_0_005pct_packed_load_four(sums[0] + 4 * q);
             for (k = 1; k < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASSES; ++k)
                 v[q] = skylight_sh_4_bands_0_005pct_packed_add_four(
-                    skylight_sh_4_bands_0_005pct_packed_spread_four(factors[channel *
-                        SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASSES + k]),
+                    skylight_sh_4_bands_0_005pct_packed_spread_four(factors
+                        [SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_FACTOR(channel, k)]),
                     skylight_sh_4_bands_0_005pct_packed_load_four(sums[k] + 4 * q), v[q]);
         }
 #define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BAND(l, stores) \
@@ -1148,6 +1343,10 @@ static inline void skylight_sh_4_bands_0_005pct_packed_store(
     ((SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_VECTORS(SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WIDTH) + \
         SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BLOCKS - 1) / \
         SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BLOCKS)
+/* What is done for each vector of a block: written out, since a compiler that keeps loops keeps
+ * their
+   vectors in memory. */
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_EACH(DO) DO(0) DO(1) DO(2) DO(3) DO(4) DO(5) DO(6) DO(7)
 #endif
 
 /* The products of the functions of all axes, of one class in the order of its rows. */
@@ -1185,41 +1384,53 @@ static inline void skylight_sh_4_bands_0_005pct_packed_sum_block(const
                                          const skylight_sh_4_bands_0_005pct_packed_real *products,
                                              skylight_sh_4_bands_0_005pct_packed_real *sums)
 {
-    skylight_sh_4_bands_0_005pct_packed_lanes
-        total[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_SIDE][SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BLOCK];
-    int t, i, k;
-    for (i = 0; i < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_SIDE; ++i)
-        for (k = 0; k < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BLOCK; ++k) total[i][k] =
-            skylight_sh_4_bands_0_005pct_packed_spread(0);
+    skylight_sh_4_bands_0_005pct_packed_lanes total[8];
+    int t;
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_ZERO(k) total[k] = \
+    skylight_sh_4_bands_0_005pct_packed_spread(0);
+    /* Vector k of so many rows side by side. */
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_ROWS(k) \
+    if ((k) / SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BLOCK < \
+        SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_SIDE) \
+        total[k] = skylight_sh_4_bands_0_005pct_packed_add( \
+            skylight_sh_4_bands_0_005pct_packed_spread(products[t + (k) / \
+                SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BLOCK]), \
+            skylight_sh_4_bands_0_005pct_packed_load(row + (k) / \
+                SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BLOCK * \
+                SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WIDTH + \
+                             (k) % SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BLOCK * \
+                                 SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_LANES), \
+            total[k]);
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_ROW(k) \
+    if ((k) < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BLOCK) \
+        total[k] = \
+            skylight_sh_4_bands_0_005pct_packed_add(skylight_sh_4_bands_0_005pct_packed_spread( \
+            products[t]), \
+                                   skylight_sh_4_bands_0_005pct_packed_load(row + (k) * \
+                                       SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_LANES), total[k]);
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_SIDES(k) \
+    if ((k) >= SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BLOCK) total[(k) % \
+        SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BLOCK] += total[k];
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_SUM(k) \
+    if ((k) < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BLOCK) memcpy(sums + (k) * \
+        SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_LANES, &total[k], sizeof total[k]);
+    SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_EACH(SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_ZERO)
     for (t = 0; t + SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_SIDE <= terms; t +=
         SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_SIDE) {
-        for (i = 0; i < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_SIDE; ++i) {
-            const skylight_sh_4_bands_0_005pct_packed_lanes product =
-                skylight_sh_4_bands_0_005pct_packed_spread(products[t + i]);
-            for (k = 0; k < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BLOCK; ++k)
-                total[i][k] = skylight_sh_4_bands_0_005pct_packed_add(
-                    product, skylight_sh_4_bands_0_005pct_packed_load(row + i *
-                        SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WIDTH + k *
-                        SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_LANES),
-                    total[i][k]);
-        }
+        SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_EACH(SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_ROWS)
         row += SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_SIDE * SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WIDTH;
     }
     for (; t < terms; ++t) {
-        const skylight_sh_4_bands_0_005pct_packed_lanes product =
-            skylight_sh_4_bands_0_005pct_packed_spread(products[t]);
-        for (k = 0; k < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BLOCK; ++k)
-            total[0][k] = skylight_sh_4_bands_0_005pct_packed_add(product,
-                skylight_sh_4_bands_0_005pct_packed_load(row + k *
-                SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_LANES),
-                                          total[0][k]);
+        SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_EACH(SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_ROW)
         row += SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WIDTH;
     }
-    for (k = 0; k < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BLOCK; ++k) {
-        for (i = 1; i < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_SIDE; ++i) total[0][k] += total[i][k];
-        memcpy(sums + k * SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_LANES, &total[0][k],
-            sizeof total[0][k]);
-    }
+    SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_EACH(SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_SIDES)
+    SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_EACH(SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_SUM)
+#undef SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_ZERO
+#undef SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_ROWS
+#undef SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_ROW
+#undef SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_SIDES
+#undef SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_SUM
 }
 
 /* The same for one vector of each row. */
@@ -1361,15 +1572,26 @@ typedef struct {
     int count;
 } skylight_sh_4_bands_0_005pct_packed_bits;
 
-static inline void skylight_sh_4_bands_0_005pct_packed_fill(skylight_sh_4_bands_0_005pct_packed_bits
-    *b)
+/* Holds at least 56 bits, at most 63, so that there is a zero above them; past the stream's end
+ * there
+   are zeros. What stands above `count` bits is the stream's too, and is read again. */
+SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_INLINE void
+    skylight_sh_4_bands_0_005pct_packed_fill(skylight_sh_4_bands_0_005pct_packed_bits *b)
 {
     const unsigned char *const end = skylight_sh_4_bands_0_005pct_packed_stream + sizeof
         skylight_sh_4_bands_0_005pct_packed_stream;
-    /* At most 63 bits, so that there is a zero above them. */
-    while (b->count < 56 && b->next < end) {
-        b->held |= (uint64_t)*b->next++ << b->count;
-        b->count += 8;
+    const unsigned char *const p = b->next;
+    if (end - p >= 8) {
+        /* One load, whatever the order of a machine's bytes. */
+        const uint64_t word = (uint64_t)p[0] | (uint64_t)p[1] << 8 | (uint64_t)p[2] << 16 |
+                              (uint64_t)p[3] << 24 | (uint64_t)p[4] << 32 | (uint64_t)p[5] << 40 |
+                              (uint64_t)p[6] << 48 | (uint64_t)p[7] << 56;
+        b->held = (b->held | word << b->count) & (UINT64_MAX >> 1);
+        b->next += (63 - b->count) >> 3;
+        b->count |= 56;
+    } else {
+        for (; b->count < 56; b->count += 8)
+            if (b->next < end) b->held |= (uint64_t)*b->next++ << b->count;
     }
 }
 
@@ -1398,25 +1620,48 @@ static inline int skylight_sh_4_bands_0_005pct_packed_ones(uint64_t held)
 #endif
 }
 
-/* A Rice code of `low` low bits: ones, a zero, the low bits; then folded back: 0, 1, 2, 3 -> 0, -1,
-   1, -2. */
-static inline int skylight_sh_4_bands_0_005pct_packed_rice(skylight_sh_4_bands_0_005pct_packed_bits
-    *b, int low)
+/* The bits after a Rice code that is longer than what is held, and its number, folded. */
+static inline skylight_sh_4_bands_0_005pct_packed_bits
+    skylight_sh_4_bands_0_005pct_packed_long(skylight_sh_4_bands_0_005pct_packed_bits b, int low,
+    unsigned *folded)
 {
-    unsigned high = 0, folded;
+    unsigned high = 0;
     int ones;
-    if (b->count < 32) skylight_sh_4_bands_0_005pct_packed_fill(b);
-    while ((ones = skylight_sh_4_bands_0_005pct_packed_ones(b->held)) >= b->count) {
-        high += (unsigned)b->count;
-        b->held = 0;
-        b->count = 0;
-        skylight_sh_4_bands_0_005pct_packed_fill(b);
+    while ((ones = skylight_sh_4_bands_0_005pct_packed_ones(b.held)) >= b.count) {
+        high += (unsigned)b.count;
+        b.held = 0;
+        b.count = 0;
+        skylight_sh_4_bands_0_005pct_packed_fill(&b);
     }
     high += (unsigned)ones;
-    b->held = b->held >> ones >> 1;
-    b->count -= ones + 1;
-    folded = (high << low) | skylight_sh_4_bands_0_005pct_packed_fixed(b, low);
-    return folded & 1 ? -(int)(folded >> 1) - 1 : (int)(folded >> 1);
+    b.held = b.held >> ones >> 1;
+    b.count -= ones + 1;
+    *folded = (high << low) | skylight_sh_4_bands_0_005pct_packed_fixed(&b, low);
+    return b;
+}
+
+/* A Rice code of `low` low bits: ones, a zero, the low bits; then folded back: 0, 1, 2, 3 -> 0, -1,
+   1, -2. */
+SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_INLINE int
+    skylight_sh_4_bands_0_005pct_packed_rice(skylight_sh_4_bands_0_005pct_packed_bits *b, int low)
+{
+    unsigned folded;
+    int ones, size;
+    if (b->count < 32) skylight_sh_4_bands_0_005pct_packed_fill(b);
+    ones = skylight_sh_4_bands_0_005pct_packed_ones(b->held);
+    size = ones + 1 + low;
+    if (size <= b->count) {
+        /* All of it is held: what follows waits for one shift. */
+        const uint64_t rest = b->held >> ones >> 1;
+        folded = ((unsigned)ones << low) | (unsigned)(rest & ((UINT64_C(1) << low) - 1));
+        b->held >>= size;
+        b->count -= size;
+    } else {
+        unsigned found;
+        *b = skylight_sh_4_bands_0_005pct_packed_long(*b, low, &found);
+        folded = found;
+    }
+    return (int)(folded >> 1) ^ -(int)(folded & 1);
 }
 
 /* The stream from its start. */
@@ -1441,7 +1686,7 @@ static inline void
 }
 
 /* The length of the next run, by that of the same class and product at the weight before. */
-static inline int
+SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_INLINE int
     skylight_sh_4_bands_0_005pct_packed_next_length(skylight_sh_4_bands_0_005pct_packed_bits *b,
     signed char *length)
 {
@@ -1451,7 +1696,7 @@ static inline int
 }
 
 /* The next number, of `size` half low bits. */
-static inline int
+SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_INLINE int
     skylight_sh_4_bands_0_005pct_packed_next_number(skylight_sh_4_bands_0_005pct_packed_bits *b,
     int size)
 {
@@ -1620,11 +1865,9 @@ static inline int skylight_sh_4_bands_0_005pct_packed_evaluate(const
         sines[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BANDS];
     skylight_sh_4_bands_0_005pct_packed_real
         sums[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASSES][SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_ROOM];
-    skylight_sh_4_bands_0_005pct_packed_real factors[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CHANNELS *
-        SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASSES];
+    skylight_sh_4_bands_0_005pct_packed_real factors[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_FACTORS];
     skylight_sh_4_bands_0_005pct_packed_real light = SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_EXPOSURE,
-        radius = 1;
-    skylight_sh_4_bands_0_005pct_packed_real early[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_EARLY];
+        radius = 1, cosine, sine;
     int i, all, status = skylight_sh_4_bands_0_005pct_packed_inputs(inputs, azimuth, x);
     if (status == 2) {
         memset(weights, 0, sizeof(float) * SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CHANNELS *
@@ -1635,26 +1878,21 @@ static inline int skylight_sh_4_bands_0_005pct_packed_evaluate(const
         bands = bands < 1 ? 1 : SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BANDS;
         status = 1;
     }
-    /* First what the library computes: calls keep no registers. */
+    skylight_sh_4_bands_0_005pct_packed_circle((skylight_sh_4_bands_0_005pct_packed_real)azimuth,
+        &cosine, &sine);
     radius = skylight_sh_4_bands_0_005pct_packed_sine(x);
-    skylight_sh_4_bands_0_005pct_packed_waves((skylight_sh_4_bands_0_005pct_packed_real)azimuth,
-        radius, cosines, sines);
+    skylight_sh_4_bands_0_005pct_packed_waves(cosine, sine, radius, cosines, sines);
     skylight_sh_4_bands_0_005pct_packed_first(x, first);
     skylight_sh_4_bands_0_005pct_packed_others(x, others);
-    skylight_sh_4_bands_0_005pct_packed_begin_factors(x, early);
+    skylight_sh_4_bands_0_005pct_packed_factors(x, factors);
+    for (i = 0; i < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_FACTORS; ++i) factors[i] *= light;
     all = bands;
     if (!rows) skylight_sh_4_bands_0_005pct_packed_sum_stream(first, others, all, sums);
-    if (rows)
-        skylight_sh_4_bands_0_005pct_packed_sum_class(rows, 0, first, others, all, sums[0]);
-    /* Between sums: what has begun above waits for itself, and there is more to do meanwhile. */
-    skylight_sh_4_bands_0_005pct_packed_end_factors(x, early, factors);
-    for (i = 0; i < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CHANNELS *
-        SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASSES; ++i) factors[i] *= light;
     if (rows)
     {
 #define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASS(k) \
     skylight_sh_4_bands_0_005pct_packed_sum_class(rows, k, first, others, all, sums[k]);
-        SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_OTHER_CLASSES(SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASS)
+        SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_ALL_CLASSES(SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASS)
 #undef SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASS
     }
     skylight_sh_4_bands_0_005pct_packed_store(sums, factors, cosines, sines, all, weights);
@@ -1687,6 +1925,10 @@ static inline int skylight_sh_4_bands_0_005pct_packed_evaluate_one(const
                                 SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BANDS, weights);
 }
 
+/* Numbers of one sun's weights. */
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_NUMBERS (SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CHANNELS \
+    * SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WEIGHTS)
+
 /* Evaluates `count` suns from arrays, one an axis, and one of azimuths (or none, where the table
    fixes it); returns the largest status. */
 static inline int skylight_sh_4_bands_0_005pct_packed_evaluate_batch(
@@ -1696,8 +1938,8 @@ static inline int skylight_sh_4_bands_0_005pct_packed_evaluate_batch(
         (*weights)[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CHANNELS]
         [SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WEIGHTS])
 {
-    int s, status, worst = 0;
-    for (s = 0; s < count; ++s) {
+    int s = 0, status, worst = 0;
+    for (; s < count; ++s) {
         status = skylight_sh_4_bands_0_005pct_packed_evaluate_one(rows, inputs, azimuths, s,
             weights[s]);
         worst = status > worst ? status : worst;
@@ -1726,8 +1968,7 @@ static inline int skylight_sh_4_bands_0_005pct_packed_evaluate_columns(const
                 some[k]);
             worst = status > worst ? status : worst;
         }
-        for (i = 0; i < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CHANNELS *
-            SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WEIGHTS; ++i)
+        for (i = 0; i < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_NUMBERS; ++i)
             for (k = 0; k < now; ++k)
                 weights[(size_t)i * step + (size_t)(s + k)] =
                     some[k][i / SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_WEIGHTS][i %
@@ -1782,7 +2023,7 @@ static inline double skylight_sh_4_bands_0_005pct_packed_mixed_double(double
     double sum = 0.0;
     int k;
     for (k = 0; k < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASSES; ++k)
-        sum += factors[channel * SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_CLASSES + k] * sums[k][column];
+        sum += factors[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_FACTOR(channel, k)] * sums[k][column];
     return sum;
 }
 
@@ -1816,7 +2057,7 @@ static inline int skylight_sh_4_bands_0_005pct_packed_evaluate_gradient(
     double powers[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BANDS],
         power_slopes[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BANDS];
     skylight_sh_4_bands_0_005pct_packed_real cosines[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BANDS],
-        sines[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BANDS];
+        sines[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_BANDS], of_x, of_y;
     int axis, channel, i, l, m, sunk = 0;
     const int status =
         skylight_sh_4_bands_0_005pct_packed_evaluate(rows, inputs, azimuth,
@@ -1849,8 +2090,9 @@ static inline int skylight_sh_4_bands_0_005pct_packed_evaluate_gradient(
             power_slopes[m] = (double)m * powers[m - 1] * sine[1];
         }
     }
-    skylight_sh_4_bands_0_005pct_packed_waves((skylight_sh_4_bands_0_005pct_packed_real)azimuth, 1,
-        cosines, sines);
+    skylight_sh_4_bands_0_005pct_packed_circle((skylight_sh_4_bands_0_005pct_packed_real)azimuth,
+        &of_x, &of_y);
+    skylight_sh_4_bands_0_005pct_packed_waves(of_x, of_y, 1, cosines, sines);
     skylight_sh_4_bands_0_005pct_packed_sum_double(rows, functions, sums);
     for (axis = 0; axis < SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_AXES; ++axis) {
         double kept[SKYLIGHT_SH_4_BANDS_0_005PCT_PACKED_MOST];

@@ -31,11 +31,11 @@
  *   Define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_EXPOSURE before this file (where it holds the table)
  *   to multiply all weights (1 by default).
  *
- * Accuracy, as shipped: E_mean 0.0959 %, E_max 0.231 % of the least luminance of the same sky, at
+ * Accuracy, as shipped: E_mean 0.095 %, E_max 0.268 % of the least luminance of the same sky, at
  * azimuth 0.
  * The expansion rings: the least value it takes, over all directions and measured sets, is -12.5 %
  * of its largest in the same set; the window below tames it.
- * Memory: 937 bytes of constants, packed into few bytes (a fast table takes more and less time).
+ * Memory: 936 bytes of constants, packed into few bytes (a fast table takes more and less time).
  *
  * Provenance
  *   skylight-sh 0.1.0, config preetham 08540d17388f71b0, table 4-bands-0.1pct-packed
@@ -65,7 +65,7 @@ before."
 #endif
 
 #ifndef SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_H
-#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_H 0x1c1e4651
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_H 0xe6384731
 
 #include <math.h>
 #include <stdint.h>
@@ -91,9 +91,9 @@ before."
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CHANNELS 3
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_AXES 2
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_UNIT "cd/m2"
-#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_E_MEAN 9.592000e-04
-#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_E_MAX 2.310000e-03
-#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_UNPACKED 786
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_E_MEAN 9.504000e-04
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_E_MAX 2.678000e-03
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_UNPACKED 756
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_SUN_ZENITH_MIN 0.0f
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_SUN_ZENITH_MAX 1.57079637f
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_TURBIDITY_MIN 2.5f
@@ -179,7 +179,7 @@ SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_API void skylight_sh_4_bands_0_1pct_packed_win
     float
     weights[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CHANNELS][SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WEIGHTS]);
 
-#elif SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_H != 0x1c1e4651
+#elif SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_H != 0xe6384731
 #error "Another table has the prefix skylight_sh_4_bands_0_1pct_packed_4_bands_0_1pct_packed \
 already: export one of them under a prefix of its own."
 #endif /* SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_H */
@@ -188,6 +188,138 @@ already: export one of them under a prefix of its own."
     defined(SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_IMPLEMENTATION)) && \
     !defined(SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_DEFINED)
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_DEFINED
+
+/* Numbers side by side where the compiler has vector types: as many as the processor's registers
+   hold, and four. */
+#if defined(__GNUC__) && (defined(__SSE__) || defined(__ARM_NEON) || defined(__ALTIVEC__) || \
+                          defined(__wasm_simd128__) || defined(__loongarch_sx))
+#if defined(__AVX512F__)
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_LANES 16
+#elif defined(__AVX__)
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_LANES 8
+#else
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_LANES 4
+#endif
+#endif
+/* What is worth its place in every caller; what lies at the start of a cache line. */
+#ifdef __GNUC__
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_INLINE static inline __attribute__((always_inline))
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_ALIGNED __attribute__((aligned(64)))
+#else
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_INLINE static inline
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_ALIGNED
+#endif
+#ifdef SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_LANES
+#ifdef __FMA__
+/* One operation for a product and a sum, which standard C may not choose by itself. */
+#include <immintrin.h>
+#endif
+typedef float skylight_sh_4_bands_0_1pct_packed_lanes __attribute__((vector_size(4 *
+    SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_LANES)));
+typedef float skylight_sh_4_bands_0_1pct_packed_four __attribute__((vector_size(16)));
+typedef int skylight_sh_4_bands_0_1pct_packed_order __attribute__((vector_size(16)));
+
+/* The same number in all places: v - 0 is v, which 0 + v need not be. */
+static inline skylight_sh_4_bands_0_1pct_packed_lanes skylight_sh_4_bands_0_1pct_packed_spread(float
+    v)
+{
+    const skylight_sh_4_bands_0_1pct_packed_lanes zeros = {0};
+    return v - zeros;
+}
+
+static inline skylight_sh_4_bands_0_1pct_packed_lanes skylight_sh_4_bands_0_1pct_packed_load(const
+    float *from)
+{
+    skylight_sh_4_bands_0_1pct_packed_lanes v;
+    memcpy(&v, from, sizeof v);
+    return v;
+}
+
+/* a * b + c. */
+static inline skylight_sh_4_bands_0_1pct_packed_lanes
+    skylight_sh_4_bands_0_1pct_packed_add(skylight_sh_4_bands_0_1pct_packed_lanes a,
+    skylight_sh_4_bands_0_1pct_packed_lanes b,
+                                                skylight_sh_4_bands_0_1pct_packed_lanes c)
+{
+#if defined(__FMA__) && SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_LANES == 16
+    return _mm512_fmadd_ps(a, b, c);
+#elif defined(__FMA__) && SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_LANES == 8
+    return _mm256_fmadd_ps(a, b, c);
+#else
+    return a * b + c;
+#endif
+}
+
+static inline skylight_sh_4_bands_0_1pct_packed_four
+    skylight_sh_4_bands_0_1pct_packed_spread_four(float v)
+{
+    const skylight_sh_4_bands_0_1pct_packed_four zeros = {0};
+    return v - zeros;
+}
+
+static inline skylight_sh_4_bands_0_1pct_packed_four
+    skylight_sh_4_bands_0_1pct_packed_load_four(const float *from)
+{
+    skylight_sh_4_bands_0_1pct_packed_four v;
+    memcpy(&v, from, sizeof v);
+    return v;
+}
+
+static inline skylight_sh_4_bands_0_1pct_packed_four
+    skylight_sh_4_bands_0_1pct_packed_add_four(skylight_sh_4_bands_0_1pct_packed_four a,
+    skylight_sh_4_bands_0_1pct_packed_four b,
+                                                    skylight_sh_4_bands_0_1pct_packed_four c)
+{
+#ifdef __FMA__
+    return _mm_fmadd_ps(a, b, c);
+#else
+    return a * b + c;
+#endif
+}
+
+/* Numbers side by side; where there are fewer than four, the last again. */
+static inline skylight_sh_4_bands_0_1pct_packed_four
+    skylight_sh_4_bands_0_1pct_packed_quadruple(float a, float b, float c, float d)
+{
+    const skylight_sh_4_bands_0_1pct_packed_four v = {a, b, c, d};
+    return v;
+}
+
+static inline skylight_sh_4_bands_0_1pct_packed_four skylight_sh_4_bands_0_1pct_packed_triple(float
+    a, float b, float c)
+{
+    return skylight_sh_4_bands_0_1pct_packed_quadruple(a, b, c, c);
+}
+
+static inline skylight_sh_4_bands_0_1pct_packed_four skylight_sh_4_bands_0_1pct_packed_pair(float a,
+    float b)
+{
+    return skylight_sh_4_bands_0_1pct_packed_quadruple(a, b, b, b);
+}
+
+static inline void skylight_sh_4_bands_0_1pct_packed_keep(float *to,
+    skylight_sh_4_bands_0_1pct_packed_four v)
+{
+    memcpy(to, &v, sizeof v);
+}
+
+/* Four of the eight numbers of two vectors. */
+#ifdef __clang__
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_PICK(v, w, a, b, c, d) __builtin_shufflevector(v, w, a, \
+    b, c, d)
+#else
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_PICK(v, w, a, b, c, d) \
+    skylight_sh_4_bands_0_1pct_packed_pick(v, w, a, b, c, d)
+static inline skylight_sh_4_bands_0_1pct_packed_four
+    skylight_sh_4_bands_0_1pct_packed_pick(skylight_sh_4_bands_0_1pct_packed_four v,
+    skylight_sh_4_bands_0_1pct_packed_four w, int a,
+                                                int b, int c, int d)
+{
+    const skylight_sh_4_bands_0_1pct_packed_order order = {a, b, c, d};
+    return __builtin_shuffle(v, w, order);
+}
+#endif
+#endif
 
 typedef float skylight_sh_4_bands_0_1pct_packed_real;
 
@@ -219,31 +351,34 @@ static const skylight_sh_4_bands_0_1pct_packed_real
 /* Classes; a row's numbers, one a sum, and those of the first 1, 2, ..
    bands; room for a class's sums. */
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASSES 3
-#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_OTHER_CLASSES(CLASS) CLASS(1) CLASS(2)
-#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_FACTORS 9
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_ALL_CLASSES(CLASS) CLASS(0) CLASS(1) CLASS(2)
+/* What multiplies the sum of a class for a channel; the channels side by
+   side, in fours. */
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_FACTORS 12
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_FACTOR(channel, class_) ((class_) * 4 + (channel))
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WIDTH 10
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WIDTHS { 1, 3, 6, 10 }
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_ROOM 16
 /* All rows; of each class the first row, how many, and the place of its
    first product. */
-#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_TERMS 78
-#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_STARTS { 0, 32, 54 }
-#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_COUNTS { 32, 22, 24 }
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_TERMS 75
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_STARTS { 0, 30, 52 }
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_COUNTS { 30, 22, 23 }
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_PLACES { 0, 32, 56 }
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_PRODUCTS_ROOM 84
 /* Of each class and product of the other axes' functions: how many
    functions of the first axis it has. */
-#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_LENGTHS { { 8, 7, 6, 6, 4, 1 }, { 6, 6, 5, 3, 2, 0 }, { \
-    7, 6, 5, 4, 2, 0 } }
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_LENGTHS { { 8, 7, 6, 5, 3, 1 }, { 6, 6, 5, 3, 2, 0 }, { \
+    7, 6, 5, 4, 1, 0 } }
 /* The same: of each that has any, class, place of the first product, how
    many, the other axes' product. */
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_PRODUCTS(PRODUCT) \
     PRODUCT(0, 0, 8, 0) \
     PRODUCT(0, 8, 7, 1) \
     PRODUCT(0, 15, 6, 2) \
-    PRODUCT(0, 21, 6, 3) \
-    PRODUCT(0, 27, 4, 4) \
-    PRODUCT(0, 31, 1, 5) \
+    PRODUCT(0, 21, 5, 3) \
+    PRODUCT(0, 26, 3, 4) \
+    PRODUCT(0, 29, 1, 5) \
     PRODUCT(1, 32, 6, 0) \
     PRODUCT(1, 38, 6, 1) \
     PRODUCT(1, 44, 5, 2) \
@@ -253,7 +388,7 @@ static const skylight_sh_4_bands_0_1pct_packed_real
     PRODUCT(2, 63, 6, 1) \
     PRODUCT(2, 69, 5, 2) \
     PRODUCT(2, 74, 4, 3) \
-    PRODUCT(2, 78, 2, 4)
+    PRODUCT(2, 78, 1, 4)
 /* Where sums go: of each degree, the first column, or -1 where it carries
    nothing. */
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_COLUMNS { 0, 1, 3, 6 }
@@ -269,73 +404,74 @@ static const skylight_sh_4_bands_0_1pct_packed_real
 /* Runs of numbers, one a product of the other axes' functions, and their
    profiles; what one step is worth. */
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_RUNS 6
-#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_RUN_PROFILE { 5, 3, -1, -7, -14, -18 }
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_RUN_PROFILE { 5, 3, -1, -8, -14, -18 }
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASS_PROFILE { -3, -10, -8 }
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_STEP 5.76972961e-05f
 
 /* Whole numbers as Rice codes. */
-static const unsigned char skylight_sh_4_bands_0_1pct_packed_stream[668] = {
-    71, 91, 217, 14, 25, 255, 191, 207, 198, 107, 170, 215, 130, 238, 52, 230, 255, 27, 8, 93, 197,
-    33, 12, 70, 255, 175, 26, 160, 4, 221, 238, 255, 34, 64, 182, 238, 13, 214, 198, 255, 8, 34,
-    211, 71, 252, 231, 25, 90, 173, 254, 148, 2, 117, 136, 255, 223, 243, 235, 235, 114, 128, 83,
-    172, 255, 229, 216, 102, 38, 54, 239, 191, 109, 132, 52, 245, 139, 145, 11, 72, 219, 217, 18,
-    41, 160, 103, 108, 190, 21, 98, 112, 94, 84, 156, 41, 184, 100, 7, 25, 226, 85, 51, 32, 95, 104,
-    113, 220, 216, 173, 89, 25, 132, 178, 36, 80, 162, 122, 208, 158, 153, 184, 48, 32, 250, 224,
-    251, 110, 101, 44, 181, 204, 204, 43, 13, 218, 219, 58, 153, 154, 145, 100, 233, 77, 110, 92,
-    164, 236, 169, 182, 161, 41, 68, 40, 165, 143, 115, 56, 136, 247, 204, 48, 156, 252, 237, 122,
-    220, 18, 234, 190, 81, 71, 136, 202, 138, 76, 64, 253, 2, 217, 181, 97, 235, 126, 212, 189, 194,
-    137, 214, 75, 134, 40, 119, 50, 234, 7, 169, 194, 146, 229, 56, 229, 107, 76, 248, 242, 90, 176,
-    35, 132, 237, 108, 169, 136, 144, 208, 247, 237, 218, 79, 75, 180, 181, 205, 155, 67, 95, 2,
-    142, 229, 151, 232, 8, 27, 197, 114, 89, 118, 214, 159, 222, 60, 134, 97, 169, 121, 111, 169,
-    237, 173, 232, 109, 231, 167, 219, 217, 31, 205, 123, 136, 159, 32, 107, 17, 192, 175, 232, 217,
-    126, 60, 238, 53, 198, 230, 124, 45, 232, 197, 114, 23, 198, 77, 60, 66, 255, 109, 20, 105, 7,
-    204, 128, 26, 112, 95, 173, 230, 137, 215, 122, 53, 55, 192, 22, 55, 216, 112, 98, 55, 236, 226,
-    178, 209, 220, 53, 163, 241, 230, 253, 102, 16, 203, 242, 238, 184, 105, 124, 89, 74, 241, 75,
-    51, 2, 115, 105, 89, 169, 52, 222, 133, 38, 67, 150, 177, 69, 197, 43, 118, 30, 164, 250, 168,
-    225, 242, 220, 148, 51, 178, 90, 183, 80, 139, 14, 150, 85, 12, 209, 188, 126, 33, 97, 86, 125,
-    191, 34, 151, 208, 171, 81, 32, 189, 3, 81, 208, 215, 247, 183, 57, 186, 237, 76, 221, 204, 227,
-    117, 78, 236, 17, 228, 67, 6, 30, 230, 238, 6, 141, 19, 247, 46, 115, 129, 176, 165, 112, 157,
-    2, 186, 16, 125, 35, 243, 104, 118, 27, 188, 20, 211, 59, 69, 121, 60, 173, 120, 48, 44, 44, 50,
-    212, 123, 98, 170, 149, 216, 106, 188, 250, 112, 2, 175, 245, 176, 149, 112, 94, 174, 118, 90,
-    85, 105, 255, 160, 86, 235, 36, 171, 213, 141, 221, 154, 113, 236, 57, 89, 20, 164, 59, 43, 149,
-    23, 100, 247, 194, 34, 139, 97, 253, 98, 254, 92, 12, 84, 79, 173, 46, 27, 190, 103, 143, 184,
-    62, 245, 16, 217, 127, 210, 75, 84, 140, 21, 201, 246, 35, 14, 27, 28, 55, 146, 74, 131, 25,
-    205, 175, 57, 147, 7, 206, 59, 51, 194, 59, 108, 98, 187, 142, 242, 94, 59, 70, 26, 75, 71, 109,
-    205, 147, 175, 128, 137, 9, 165, 243, 59, 247, 163, 244, 130, 34, 149, 73, 217, 207, 178, 70,
-    113, 36, 182, 172, 2, 195, 236, 66, 42, 51, 145, 136, 10, 46, 41, 69, 176, 3, 48, 199, 204, 184,
-    190, 194, 133, 65, 11, 46, 154, 122, 147, 5, 196, 142, 80, 84, 152, 17, 32, 168, 91, 150, 81,
-    145, 92, 136, 200, 23, 75, 226, 10, 80, 43, 117, 207, 128, 121, 96, 56, 141, 198, 9, 47, 206,
-    179, 38, 151, 156, 52, 101, 36, 36, 201, 127, 61, 131, 3, 85, 10, 12, 136, 47, 54, 24, 177, 237,
-    183, 28, 213, 121, 130, 179, 138, 208, 31, 127, 60, 200, 205, 26, 114, 140, 102, 131, 8, 242,
-    202, 160, 26
+static const unsigned char skylight_sh_4_bands_0_1pct_packed_stream[667] = {
+    71, 219, 217, 78, 17, 255, 191, 207, 198, 107, 170, 183, 130, 237, 48, 199, 255, 111, 36, 116,
+    23, 167, 48, 25, 237, 255, 138, 1, 73, 204, 237, 254, 111, 132, 72, 219, 189, 193, 218, 252, 31,
+    65, 100, 250, 16, 255, 137, 198, 166, 173, 63, 167, 132, 30, 226, 255, 247, 252, 250, 186, 4,
+    120, 138, 237, 127, 49, 182, 152, 68, 205, 247, 223, 58, 82, 204, 250, 197, 200, 5, 164, 237,
+    108, 169, 20, 208, 51, 54, 223, 10, 49, 56, 47, 42, 157, 41, 184, 100, 7, 153, 226, 85, 51, 32,
+    95, 168, 63, 238, 108, 107, 86, 6, 161, 44, 9, 148, 168, 30, 180, 103, 38, 46, 12, 136, 62, 248,
+    190, 91, 25, 75, 77, 51, 243, 74, 131, 246, 182, 78, 166, 102, 36, 85, 122, 147, 27, 23, 41,
+    123, 170, 109, 102, 228, 44, 148, 82, 199, 49, 156, 68, 219, 51, 195, 116, 6, 40, 247, 227, 30,
+    169, 221, 168, 131, 162, 178, 34, 19, 80, 191, 64, 118, 109, 216, 250, 126, 212, 189, 198, 137,
+    214, 75, 134, 40, 119, 50, 234, 7, 177, 133, 37, 203, 113, 202, 123, 76, 248, 246, 26, 216, 69,
+    8, 227, 217, 82, 17, 33, 161, 111, 187, 246, 167, 37, 218, 218, 102, 115, 232, 18, 240, 88, 126,
+    137, 142, 176, 17, 150, 151, 101, 103, 247, 211, 155, 199, 192, 150, 154, 189, 77, 109, 111, 69,
+    219, 154, 159, 110, 167, 127, 52, 247, 119, 252, 4, 169, 133, 0, 126, 69, 207, 246, 227, 209,
+    235, 24, 155, 243, 181, 160, 23, 150, 46, 76, 12, 143, 208, 175, 163, 162, 118, 190, 12, 169, 1,
+    119, 179, 58, 80, 180, 210, 171, 185, 12, 211, 184, 193, 134, 139, 221, 240, 138, 178, 108, 52,
+    187, 198, 104, 188, 121, 175, 6, 98, 89, 94, 169, 155, 198, 229, 45, 165, 120, 103, 78, 64, 220,
+    42, 43, 74, 167, 91, 215, 38, 3, 230, 98, 139, 100, 39, 118, 32, 196, 125, 172, 225, 246, 224,
+    144, 51, 182, 170, 92, 97, 11, 78, 150, 117, 12, 209, 120, 253, 62, 14, 181, 156, 107, 18, 122,
+    55, 12, 64, 237, 64, 20, 216, 251, 253, 109, 142, 205, 118, 38, 109, 230, 113, 159, 71, 246, 8,
+    242, 5, 6, 32, 200, 213, 13, 154, 199, 220, 175, 76, 41, 16, 182, 244, 173, 83, 64, 23, 162,
+    111, 100, 30, 205, 126, 27, 94, 76, 233, 157, 162, 60, 158, 190, 225, 96, 88, 88, 100, 168, 247,
+    35, 105, 223, 43, 179, 213, 113, 250, 112, 2, 175, 245, 176, 149, 112, 94, 174, 118, 90, 87,
+    105, 255, 160, 87, 235, 36, 171, 213, 141, 221, 154, 113, 236, 57, 89, 20, 164, 60, 43, 149, 23,
+    68, 189, 176, 200, 66, 88, 191, 148, 63, 20, 51, 109, 170, 213, 101, 195, 215, 236, 17, 119, 29,
+    155, 35, 251, 79, 122, 139, 194, 220, 162, 163, 253, 129, 195, 70, 199, 157, 196, 242, 104, 70,
+    243, 107, 142, 228, 17, 231, 157, 25, 188, 195, 70, 182, 237, 44, 47, 150, 99, 164, 177, 117,
+    212, 218, 60, 249, 10, 160, 144, 80, 58, 191, 115, 65, 74, 47, 73, 112, 145, 20, 254, 236, 107,
+    32, 231, 113, 109, 13, 24, 101, 17, 53, 153, 121, 6, 122, 188, 196, 138, 96, 5, 96, 142, 153,
+    113, 123, 135, 138, 13, 90, 144, 217, 212, 155, 44, 224, 117, 132, 158, 198, 140, 64, 193, 220,
+    209, 140, 10, 37, 67, 68, 186, 88, 22, 87, 130, 42, 169, 124, 3, 199, 25, 134, 211, 104, 154, 0,
+    115, 234, 180, 73, 38, 36, 171, 0, 177, 218, 155, 56, 160, 74, 129, 1, 241, 197, 6, 35, 182,
+    253, 150, 163, 58, 79, 112, 86, 17, 250, 227, 79, 39, 177, 89, 67, 142, 209, 172, 16, 57, 86,
+    27, 84, 3
 };
 
 /* What all weights share: the closed form preetham_classes. */
-static const unsigned short skylight_sh_4_bands_0_1pct_packed_short[60] = { 40453, 4971, 945, 105,
-    24192, 2155, 420, 15, 1, 1787, 1463, 3554, 4275, 25, 3125, 227, 53251, 1206, 25771, 67, 3703, 5,
-    275, 4214, 15346, 61, 897, 26756, 317, 4153, 667, 516, 26688, 7332, 4, 2125, 641, 8989, 33, 452,
-    166, 2903, 11693, 375, 6377, 21196, 209, 3202, 6052, 394, 25886, 993, 7344, 79, 2102, 441,
-    16537, 109, 529, 41556 };
+static const unsigned short skylight_sh_4_bands_0_1pct_packed_short[61] = { 40453, 4971, 945, 105,
+    24192, 2155, 420, 15, 1, 1787, 1463, 3554, 4275, 25, 3125, 227, 4, 79, 53251, 2125, 2102, 1206,
+    641, 441, 25771, 8989, 16537, 67, 33, 109, 3703, 452, 529, 5, 275, 166, 4214, 2903, 15346,
+    11693, 61, 375, 897, 6377, 26756, 21196, 317, 209, 4153, 3202, 667, 6052, 516, 394, 26688,
+    25886, 7332, 993, 7344, 41556, 0 };
 
-#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_EARLY 16
-
-static inline void skylight_sh_4_bands_0_1pct_packed_begin_factors(const
-    skylight_sh_4_bands_0_1pct_packed_real *x, skylight_sh_4_bands_0_1pct_packed_real *early)
+#ifdef SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_LANES
+/* Equal formulas of different numbers side by side. */
+static inline void skylight_sh_4_bands_0_1pct_packed_factors(const
+    skylight_sh_4_bands_0_1pct_packed_real *x, skylight_sh_4_bands_0_1pct_packed_real *out)
 {
     const float chi = (0.888888896f - x[1] * 0.0166666675f) * (1.57079637f - x[0]);
     const float square = chi * chi;
-    early[0] = ((skylight_sh_4_bands_0_1pct_packed_real)skylight_sh_4_bands_0_1pct_packed_short[2])
-        - square *
+    const float below =
+        ((skylight_sh_4_bands_0_1pct_packed_real)skylight_sh_4_bands_0_1pct_packed_short[2]) -
+        square *
         (((skylight_sh_4_bands_0_1pct_packed_real)skylight_sh_4_bands_0_1pct_packed_short[6]) -
         ((skylight_sh_4_bands_0_1pct_packed_real)skylight_sh_4_bands_0_1pct_packed_short[7]) *
         square);
-    early[1] = ((0.100000001f * skylight_sh_4_bands_0_1pct_packed_short[0]) * x[1] -
+    const float zenith = ((0.100000001f * skylight_sh_4_bands_0_1pct_packed_short[0]) * x[1] -
         ((skylight_sh_4_bands_0_1pct_packed_real)skylight_sh_4_bands_0_1pct_packed_short[1])) * (chi
         * (((skylight_sh_4_bands_0_1pct_packed_real)skylight_sh_4_bands_0_1pct_packed_short[2]) -
         square *
         (((skylight_sh_4_bands_0_1pct_packed_real)skylight_sh_4_bands_0_1pct_packed_short[3]) -
         square))) + ((0.100000001f * skylight_sh_4_bands_0_1pct_packed_short[4]) - (0.100000001f *
-        skylight_sh_4_bands_0_1pct_packed_short[5]) * x[1]) * early[0];
+        skylight_sh_4_bands_0_1pct_packed_short[5]) * x[1]) * below;
     const float part_1 = (-9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[11]) * x[1] +
         (9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[12]);
     const float up =
@@ -343,108 +479,228 @@ static inline void skylight_sh_4_bands_0_1pct_packed_begin_factors(const
         part_1 * ((0.00999999978f * skylight_sh_4_bands_0_1pct_packed_short[13]) + part_1 *
         (9.99999975e-06f * skylight_sh_4_bands_0_1pct_packed_short[14]));
     const float up2 = up * up;
-    early[2] = ((skylight_sh_4_bands_0_1pct_packed_real)skylight_sh_4_bands_0_1pct_packed_short[8])
-        + ((9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[9]) * x[1] + (-0.00100000005f
-        * skylight_sh_4_bands_0_1pct_packed_short[10])) * (up2 * up2);
-    early[3] = (-9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[15]) * x[1] +
-        (9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[16]);
-    const float y = ((9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[17]) * x[1] +
-        (-9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[18])) * x[0] * (0.00999999978f *
-        skylight_sh_4_bands_0_1pct_packed_short[13]);
-    const float halo = 1.0f + y * (0.99999845f + y * (0.499975085f + y * (0.166515172f + y *
-        (0.0412233174f + y * (0.00765432511f + y * 0.000849007862f)))));
-    early[4] = halo * halo;
+    const skylight_sh_4_bands_0_1pct_packed_four y =
+        (skylight_sh_4_bands_0_1pct_packed_triple((9.99999975e-05f *
+        skylight_sh_4_bands_0_1pct_packed_short[21]),
+        (-9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[22]),
+        (-9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[23])) * x[1] +
+        skylight_sh_4_bands_0_1pct_packed_triple((-9.99999975e-05f *
+        skylight_sh_4_bands_0_1pct_packed_short[24]),
+        (-9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[25]),
+        (-9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[26]))) * x[0] * (0.00999999978f
+        * skylight_sh_4_bands_0_1pct_packed_short[13]);
+    const skylight_sh_4_bands_0_1pct_packed_four y2 = y * y;
+    const skylight_sh_4_bands_0_1pct_packed_four halo = 1.0f + 0.99999845f * y + y2 * (0.499975085f
+        + 0.166515172f * y + y2 * (0.0412233174f + 0.00765432511f * y + y2 * 0.000849007862f));
+    const skylight_sh_4_bands_0_1pct_packed_four halo2 = halo * halo;
+    const skylight_sh_4_bands_0_1pct_packed_four halo4 = halo2 * halo2;
     const float z = x[0] * x[0];
     const float cosine =
         ((skylight_sh_4_bands_0_1pct_packed_real)skylight_sh_4_bands_0_1pct_packed_short[8]) - z *
-        ((0.100000001f * skylight_sh_4_bands_0_1pct_packed_short[21]) - z * (9.99999975e-06f *
+        ((0.100000001f * skylight_sh_4_bands_0_1pct_packed_short[33]) - z * (9.99999975e-06f *
         skylight_sh_4_bands_0_1pct_packed_short[14]));
     const float cosine2 = cosine * cosine;
-    early[5] = ((-0.00100000005f * skylight_sh_4_bands_0_1pct_packed_short[19]) * x[1] +
-        (9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[20])) * cosine2;
-    early[6] = (((((9.99999975e-06f * skylight_sh_4_bands_0_1pct_packed_short[22]) * x[1] +
-        (-9.99999975e-06f * skylight_sh_4_bands_0_1pct_packed_short[23])) * x[1] + (9.99999975e-06f
-        * skylight_sh_4_bands_0_1pct_packed_short[24])) * x[0] + (((-9.99999975e-05f *
-        skylight_sh_4_bands_0_1pct_packed_short[25]) * x[1] + (9.99999975e-05f *
-        skylight_sh_4_bands_0_1pct_packed_short[26])) * x[1] + (-9.99999975e-06f *
-        skylight_sh_4_bands_0_1pct_packed_short[27]))) * x[0] + (((9.99999975e-06f *
-        skylight_sh_4_bands_0_1pct_packed_short[28]) * x[1] + (-9.99999975e-06f *
-        skylight_sh_4_bands_0_1pct_packed_short[29])) * x[1] + (9.99999975e-05f *
-        skylight_sh_4_bands_0_1pct_packed_short[30]))) * x[0] + ((9.99999975e-06f *
-        skylight_sh_4_bands_0_1pct_packed_short[31]) * x[1] + (9.99999975e-06f *
-        skylight_sh_4_bands_0_1pct_packed_short[32]));
-    early[7] = (9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[13]) * x[1] +
-        (9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[33]);
-    early[8] = (-9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[34]) * x[1] +
-        (9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[35]);
-    const float y_2 = ((-9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[36]) * x[1] +
-        (-9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[37])) * x[0] * (0.00999999978f *
-        skylight_sh_4_bands_0_1pct_packed_short[13]);
-    const float halo_2 = 1.0f + y_2 * (0.99999845f + y_2 * (0.499975085f + y_2 * (0.166515172f + y_2
-        * (0.0412233174f + y_2 * (0.00765432511f + y_2 * 0.000849007862f)))));
-    early[9] = halo_2 * halo_2;
-    early[10] = ((-9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[38]) * x[1] +
-        (9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[39])) * cosine2;
-    early[11] = (((((9.99999975e-06f * skylight_sh_4_bands_0_1pct_packed_short[40]) * x[1] +
-        (-9.99999975e-06f * skylight_sh_4_bands_0_1pct_packed_short[41])) * x[1] + (9.99999975e-06f
-        * skylight_sh_4_bands_0_1pct_packed_short[42])) * x[0] + (((-9.99999975e-06f *
-        skylight_sh_4_bands_0_1pct_packed_short[43]) * x[1] + (9.99999975e-06f *
-        skylight_sh_4_bands_0_1pct_packed_short[44])) * x[1] + (-9.99999975e-06f *
-        skylight_sh_4_bands_0_1pct_packed_short[45]))) * x[0] + (((9.99999975e-06f *
-        skylight_sh_4_bands_0_1pct_packed_short[46]) * x[1] + (-9.99999975e-06f *
-        skylight_sh_4_bands_0_1pct_packed_short[47])) * x[1] + (9.99999975e-06f *
-        skylight_sh_4_bands_0_1pct_packed_short[48]))) * x[0] + ((9.99999975e-06f *
-        skylight_sh_4_bands_0_1pct_packed_short[49]) * x[1] + (9.99999975e-06f *
-        skylight_sh_4_bands_0_1pct_packed_short[50]));
-    early[12] = (9.99999975e-06f * skylight_sh_4_bands_0_1pct_packed_short[51]) * x[1] +
-        (9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[52]);
-    early[13] = (-9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[53]) * x[1] +
-        (9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[54]);
-    const float y_3 = ((-9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[55]) * x[1] +
-        (-9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[56])) * x[0] * (0.00999999978f *
-        skylight_sh_4_bands_0_1pct_packed_short[13]);
-    const float halo_3 = 1.0f + y_3 * (0.99999845f + y_3 * (0.499975085f + y_3 * (0.166515172f + y_3
-        * (0.0412233174f + y_3 * (0.00765432511f + y_3 * 0.000849007862f)))));
-    early[14] = halo_3 * halo_3;
-    early[15] = ((-9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[57]) * x[1] +
-        (9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[58])) * cosine2;
+    const skylight_sh_4_bands_0_1pct_packed_four part_2 =
+        ((skylight_sh_4_bands_0_1pct_packed_real)skylight_sh_4_bands_0_1pct_packed_short[8]) +
+        (skylight_sh_4_bands_0_1pct_packed_triple((-9.99999975e-05f *
+        skylight_sh_4_bands_0_1pct_packed_short[15]),
+        (-9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[16]),
+        (-9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[17])) * x[1] +
+        skylight_sh_4_bands_0_1pct_packed_triple((9.99999975e-05f *
+        skylight_sh_4_bands_0_1pct_packed_short[18]),
+        (9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[19]),
+        (9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[20]))) * halo4 +
+        (skylight_sh_4_bands_0_1pct_packed_triple((-0.00100000005f *
+        skylight_sh_4_bands_0_1pct_packed_short[27]),
+        (-9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[28]),
+        (-9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[29])) * x[1] +
+        skylight_sh_4_bands_0_1pct_packed_triple((9.99999975e-05f *
+        skylight_sh_4_bands_0_1pct_packed_short[30]),
+        (9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[31]),
+        (9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[32]))) * cosine2;
+    const float shape_y =
+        (((skylight_sh_4_bands_0_1pct_packed_real)skylight_sh_4_bands_0_1pct_packed_short[8]) +
+        ((9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[9]) * x[1] + (-0.00100000005f *
+        skylight_sh_4_bands_0_1pct_packed_short[10])) * (up2 * up2)) * part_2[0];
+    const skylight_sh_4_bands_0_1pct_packed_four y_zenith =
+        ((((skylight_sh_4_bands_0_1pct_packed_pair((9.99999975e-06f *
+        skylight_sh_4_bands_0_1pct_packed_short[34]),
+        (9.99999975e-06f * skylight_sh_4_bands_0_1pct_packed_short[35])) * x[1] +
+        skylight_sh_4_bands_0_1pct_packed_pair((-9.99999975e-06f *
+        skylight_sh_4_bands_0_1pct_packed_short[36]),
+        (-9.99999975e-06f * skylight_sh_4_bands_0_1pct_packed_short[37]))) * x[1] +
+        skylight_sh_4_bands_0_1pct_packed_pair((9.99999975e-06f *
+        skylight_sh_4_bands_0_1pct_packed_short[38]),
+        (9.99999975e-06f * skylight_sh_4_bands_0_1pct_packed_short[39]))) * x[0] +
+        ((skylight_sh_4_bands_0_1pct_packed_pair((-9.99999975e-05f *
+        skylight_sh_4_bands_0_1pct_packed_short[40]),
+        (-9.99999975e-06f * skylight_sh_4_bands_0_1pct_packed_short[41])) * x[1] +
+        skylight_sh_4_bands_0_1pct_packed_pair((9.99999975e-05f *
+        skylight_sh_4_bands_0_1pct_packed_short[42]),
+        (9.99999975e-06f * skylight_sh_4_bands_0_1pct_packed_short[43]))) * x[1] +
+        skylight_sh_4_bands_0_1pct_packed_pair((-9.99999975e-06f *
+        skylight_sh_4_bands_0_1pct_packed_short[44]),
+        (-9.99999975e-06f * skylight_sh_4_bands_0_1pct_packed_short[45])))) * x[0] +
+        ((skylight_sh_4_bands_0_1pct_packed_pair((9.99999975e-06f *
+        skylight_sh_4_bands_0_1pct_packed_short[46]),
+        (9.99999975e-06f * skylight_sh_4_bands_0_1pct_packed_short[47])) * x[1] +
+        skylight_sh_4_bands_0_1pct_packed_pair((-9.99999975e-06f *
+        skylight_sh_4_bands_0_1pct_packed_short[48]),
+        (-9.99999975e-06f * skylight_sh_4_bands_0_1pct_packed_short[49]))) * x[1] +
+        skylight_sh_4_bands_0_1pct_packed_pair((9.99999975e-05f *
+        skylight_sh_4_bands_0_1pct_packed_short[50]),
+        (9.99999975e-06f * skylight_sh_4_bands_0_1pct_packed_short[51])))) * x[0] +
+        (skylight_sh_4_bands_0_1pct_packed_pair((9.99999975e-06f *
+        skylight_sh_4_bands_0_1pct_packed_short[52]),
+        (9.99999975e-06f * skylight_sh_4_bands_0_1pct_packed_short[53])) * x[1] +
+        skylight_sh_4_bands_0_1pct_packed_pair((9.99999975e-06f *
+        skylight_sh_4_bands_0_1pct_packed_short[54]),
+        (9.99999975e-06f * skylight_sh_4_bands_0_1pct_packed_short[55])));
+    const float part_3 = y_zenith[0];
+    const float shape_x = ((9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[13]) * x[1] +
+        (9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[56])) * part_2[1];
+    const float one = zenith / (below * shape_y * part_3 * shape_x);
+    const float shape_z = ((9.99999975e-06f * skylight_sh_4_bands_0_1pct_packed_short[57]) * x[1] +
+        (9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[58])) * part_2[2];
+    const float of_x = one * y_zenith[1] * shape_z;
+    const skylight_sh_4_bands_0_1pct_packed_four part_4 =
+        skylight_sh_4_bands_0_1pct_packed_triple(3.73898554f, (-1.01082206f),
+        (-1.00158179f)) * of_x;
+    skylight_sh_4_bands_0_1pct_packed_keep(out + 4, part_4);
+    const float of_y = one * part_3 * shape_x;
+    const float of_s = one * shape_z * shape_x;
+    const skylight_sh_4_bands_0_1pct_packed_four part_5 =
+        skylight_sh_4_bands_0_1pct_packed_triple((-0.498531401f),
+        (9.99999997e-07f * skylight_sh_4_bands_0_1pct_packed_short[59]), 1.05722523f) * of_s;
+    skylight_sh_4_bands_0_1pct_packed_keep(out + 8, part_5);
+    const skylight_sh_4_bands_0_1pct_packed_four part_6 = part_4 +
+        skylight_sh_4_bands_0_1pct_packed_triple((-1.03860712f), 1.83445477f,
+        (-1.26125109f)) * of_y + part_5;
+    skylight_sh_4_bands_0_1pct_packed_keep(out + 0, part_6);
     (void)x;
-    (void)early;
 }
 
-/* The rest of it. */
-static inline void skylight_sh_4_bands_0_1pct_packed_end_factors(const
-    skylight_sh_4_bands_0_1pct_packed_real *x, const skylight_sh_4_bands_0_1pct_packed_real *early,
-    skylight_sh_4_bands_0_1pct_packed_real *out)
+#else
+static inline void skylight_sh_4_bands_0_1pct_packed_factors(const
+    skylight_sh_4_bands_0_1pct_packed_real *x, skylight_sh_4_bands_0_1pct_packed_real *out)
 {
-    const float halo4 = early[4] * early[4];
-    const float shape_y = early[2] *
+    const float chi = (0.888888896f - x[1] * 0.0166666675f) * (1.57079637f - x[0]);
+    const float square = chi * chi;
+    const float below =
+        ((skylight_sh_4_bands_0_1pct_packed_real)skylight_sh_4_bands_0_1pct_packed_short[2]) -
+        square *
+        (((skylight_sh_4_bands_0_1pct_packed_real)skylight_sh_4_bands_0_1pct_packed_short[6]) -
+        ((skylight_sh_4_bands_0_1pct_packed_real)skylight_sh_4_bands_0_1pct_packed_short[7]) *
+        square);
+    const float zenith = ((0.100000001f * skylight_sh_4_bands_0_1pct_packed_short[0]) * x[1] -
+        ((skylight_sh_4_bands_0_1pct_packed_real)skylight_sh_4_bands_0_1pct_packed_short[1])) * (chi
+        * (((skylight_sh_4_bands_0_1pct_packed_real)skylight_sh_4_bands_0_1pct_packed_short[2]) -
+        square *
+        (((skylight_sh_4_bands_0_1pct_packed_real)skylight_sh_4_bands_0_1pct_packed_short[3]) -
+        square))) + ((0.100000001f * skylight_sh_4_bands_0_1pct_packed_short[4]) - (0.100000001f *
+        skylight_sh_4_bands_0_1pct_packed_short[5]) * x[1]) * below;
+    const float part_1 = (-9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[11]) * x[1] +
+        (9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[12]);
+    const float up =
+        ((skylight_sh_4_bands_0_1pct_packed_real)skylight_sh_4_bands_0_1pct_packed_short[8]) +
+        part_1 * ((0.00999999978f * skylight_sh_4_bands_0_1pct_packed_short[13]) + part_1 *
+        (9.99999975e-06f * skylight_sh_4_bands_0_1pct_packed_short[14]));
+    const float up2 = up * up;
+    const float y = ((9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[21]) * x[1] +
+        (-9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[24])) * x[0] * (0.00999999978f *
+        skylight_sh_4_bands_0_1pct_packed_short[13]);
+    const float y2 = y * y;
+    const float halo = 1.0f + 0.99999845f * y + y2 * (0.499975085f + 0.166515172f * y + y2 *
+        (0.0412233174f + 0.00765432511f * y + y2 * 0.000849007862f));
+    const float halo2 = halo * halo;
+    const float halo4 = halo2 * halo2;
+    const float z = x[0] * x[0];
+    const float cosine =
+        ((skylight_sh_4_bands_0_1pct_packed_real)skylight_sh_4_bands_0_1pct_packed_short[8]) - z *
+        ((0.100000001f * skylight_sh_4_bands_0_1pct_packed_short[33]) - z * (9.99999975e-06f *
+        skylight_sh_4_bands_0_1pct_packed_short[14]));
+    const float cosine2 = cosine * cosine;
+    const float shape_y =
         (((skylight_sh_4_bands_0_1pct_packed_real)skylight_sh_4_bands_0_1pct_packed_short[8]) +
-        early[3] * halo4 + early[5]);
-    const float halo4_2 = early[9] * early[9];
-    const float shape_x = early[7] *
+        ((9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[9]) * x[1] + (-0.00100000005f *
+        skylight_sh_4_bands_0_1pct_packed_short[10])) * (up2 * up2)) *
         (((skylight_sh_4_bands_0_1pct_packed_real)skylight_sh_4_bands_0_1pct_packed_short[8]) +
-        early[8] * halo4_2 + early[10]);
-    const float one = early[1] / (early[0] * shape_y * early[6] * shape_x);
-    const float halo4_3 = early[14] * early[14];
-    const float shape_z = early[12] *
+        ((-9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[15]) * x[1] + (9.99999975e-05f
+        * skylight_sh_4_bands_0_1pct_packed_short[18])) * halo4 + ((-0.00100000005f *
+        skylight_sh_4_bands_0_1pct_packed_short[27]) * x[1] + (9.99999975e-05f *
+        skylight_sh_4_bands_0_1pct_packed_short[30])) * cosine2);
+    const float y_zenith = (((((9.99999975e-06f * skylight_sh_4_bands_0_1pct_packed_short[34]) *
+        x[1] + (-9.99999975e-06f * skylight_sh_4_bands_0_1pct_packed_short[36])) * x[1] +
+        (9.99999975e-06f * skylight_sh_4_bands_0_1pct_packed_short[38])) * x[0] +
+        (((-9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[40]) * x[1] + (9.99999975e-05f
+        * skylight_sh_4_bands_0_1pct_packed_short[42])) * x[1] + (-9.99999975e-06f *
+        skylight_sh_4_bands_0_1pct_packed_short[44]))) * x[0] + (((9.99999975e-06f *
+        skylight_sh_4_bands_0_1pct_packed_short[46]) * x[1] + (-9.99999975e-06f *
+        skylight_sh_4_bands_0_1pct_packed_short[48])) * x[1] + (9.99999975e-05f *
+        skylight_sh_4_bands_0_1pct_packed_short[50]))) * x[0] + ((9.99999975e-06f *
+        skylight_sh_4_bands_0_1pct_packed_short[52]) * x[1] + (9.99999975e-06f *
+        skylight_sh_4_bands_0_1pct_packed_short[54]));
+    const float y_2 = ((-9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[22]) * x[1] +
+        (-9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[25])) * x[0] * (0.00999999978f *
+        skylight_sh_4_bands_0_1pct_packed_short[13]);
+    const float y2_2 = y_2 * y_2;
+    const float halo_2 = 1.0f + 0.99999845f * y_2 + y2_2 * (0.499975085f + 0.166515172f * y_2 + y2_2
+        * (0.0412233174f + 0.00765432511f * y_2 + y2_2 * 0.000849007862f));
+    const float halo2_2 = halo_2 * halo_2;
+    const float halo4_2 = halo2_2 * halo2_2;
+    const float shape_x = ((9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[13]) * x[1] +
+        (9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[56])) *
         (((skylight_sh_4_bands_0_1pct_packed_real)skylight_sh_4_bands_0_1pct_packed_short[8]) +
-        early[13] * halo4_3 + early[15]);
-    const float of_x = one * early[11] * shape_z;
-    out[1] = 3.73898554f * of_x;
-    const float of_y = one * early[6] * shape_x;
+        ((-9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[16]) * x[1] + (9.99999975e-05f
+        * skylight_sh_4_bands_0_1pct_packed_short[19])) * halo4_2 + ((-9.99999975e-05f *
+        skylight_sh_4_bands_0_1pct_packed_short[28]) * x[1] + (9.99999975e-05f *
+        skylight_sh_4_bands_0_1pct_packed_short[31])) * cosine2);
+    const float one = zenith / (below * shape_y * y_zenith * shape_x);
+    const float x_zenith = (((((9.99999975e-06f * skylight_sh_4_bands_0_1pct_packed_short[35]) *
+        x[1] + (-9.99999975e-06f * skylight_sh_4_bands_0_1pct_packed_short[37])) * x[1] +
+        (9.99999975e-06f * skylight_sh_4_bands_0_1pct_packed_short[39])) * x[0] +
+        (((-9.99999975e-06f * skylight_sh_4_bands_0_1pct_packed_short[41]) * x[1] + (9.99999975e-06f
+        * skylight_sh_4_bands_0_1pct_packed_short[43])) * x[1] + (-9.99999975e-06f *
+        skylight_sh_4_bands_0_1pct_packed_short[45]))) * x[0] + (((9.99999975e-06f *
+        skylight_sh_4_bands_0_1pct_packed_short[47]) * x[1] + (-9.99999975e-06f *
+        skylight_sh_4_bands_0_1pct_packed_short[49])) * x[1] + (9.99999975e-06f *
+        skylight_sh_4_bands_0_1pct_packed_short[51]))) * x[0] + ((9.99999975e-06f *
+        skylight_sh_4_bands_0_1pct_packed_short[53]) * x[1] + (9.99999975e-06f *
+        skylight_sh_4_bands_0_1pct_packed_short[55]));
+    const float y_3 = ((-9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[23]) * x[1] +
+        (-9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[26])) * x[0] * (0.00999999978f *
+        skylight_sh_4_bands_0_1pct_packed_short[13]);
+    const float y2_3 = y_3 * y_3;
+    const float halo_3 = 1.0f + 0.99999845f * y_3 + y2_3 * (0.499975085f + 0.166515172f * y_3 + y2_3
+        * (0.0412233174f + 0.00765432511f * y_3 + y2_3 * 0.000849007862f));
+    const float halo2_3 = halo_3 * halo_3;
+    const float halo4_3 = halo2_3 * halo2_3;
+    const float shape_z = ((9.99999975e-06f * skylight_sh_4_bands_0_1pct_packed_short[57]) * x[1] +
+        (9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[58])) *
+        (((skylight_sh_4_bands_0_1pct_packed_real)skylight_sh_4_bands_0_1pct_packed_short[8]) +
+        ((-9.99999975e-05f * skylight_sh_4_bands_0_1pct_packed_short[17]) * x[1] + (9.99999975e-05f
+        * skylight_sh_4_bands_0_1pct_packed_short[20])) * halo4_3 + ((-9.99999975e-05f *
+        skylight_sh_4_bands_0_1pct_packed_short[29]) * x[1] + (9.99999975e-05f *
+        skylight_sh_4_bands_0_1pct_packed_short[32])) * cosine2);
+    const float of_x = one * x_zenith * shape_z;
+    out[4] = 3.73898554f * of_x;
+    const float of_y = one * y_zenith * shape_x;
     const float of_s = one * shape_z * shape_x;
-    out[2] = (-0.498531401f) * of_s;
-    out[0] = out[1] + (-1.03860712f) * of_y + out[2];
-    out[4] = (-1.01082206f) * of_x;
-    out[5] = (9.99999997e-07f * skylight_sh_4_bands_0_1pct_packed_short[59]) * of_s;
-    out[3] = out[4] + 1.83445477f * of_y + out[5];
-    out[7] = (-1.00158179f) * of_x;
-    out[8] = 1.05722523f * of_s;
-    out[6] = out[7] + (-1.26125109f) * of_y + out[8];
+    out[8] = (-0.498531401f) * of_s;
+    out[0] = out[4] + (-1.03860712f) * of_y + out[8];
+    out[5] = (-1.01082206f) * of_x;
+    out[9] = (9.99999997e-07f * skylight_sh_4_bands_0_1pct_packed_short[59]) * of_s;
+    out[1] = out[5] + 1.83445477f * of_y + out[9];
+    out[6] = (-1.00158179f) * of_x;
+    out[10] = 1.05722523f * of_s;
+    out[2] = out[6] + (-1.26125109f) * of_y + out[10];
+    out[3] = ((skylight_sh_4_bands_0_1pct_packed_real)skylight_sh_4_bands_0_1pct_packed_short[60]);
+    out[7] = ((skylight_sh_4_bands_0_1pct_packed_real)skylight_sh_4_bands_0_1pct_packed_short[60]);
+    out[11] = ((skylight_sh_4_bands_0_1pct_packed_real)skylight_sh_4_bands_0_1pct_packed_short[60]);
     (void)x;
-    (void)early;
 }
+
+#endif /* SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_LANES */
 
 /* The functions of sun_zenith (change of variable: even); 0 where there is
    none. */
@@ -479,12 +735,13 @@ static inline void skylight_sh_4_bands_0_1pct_packed_others(const
 /* cos(m azimuth) and sin(m azimuth), m < bands, each times the m-th power
    of `radius`, by doubling. */
 static inline void skylight_sh_4_bands_0_1pct_packed_waves(skylight_sh_4_bands_0_1pct_packed_real
-    azimuth, skylight_sh_4_bands_0_1pct_packed_real radius,
-    skylight_sh_4_bands_0_1pct_packed_real *cosines, skylight_sh_4_bands_0_1pct_packed_real *sines)
+    cosine, skylight_sh_4_bands_0_1pct_packed_real sine,
+    skylight_sh_4_bands_0_1pct_packed_real radius, skylight_sh_4_bands_0_1pct_packed_real *cosines,
+    skylight_sh_4_bands_0_1pct_packed_real *sines)
 {
     cosines[0] = 1.0f;
-    cosines[1] = radius * cosf(azimuth);
-    sines[1] = radius * sinf(azimuth);
+    cosines[1] = radius * cosine;
+    sines[1] = radius * sine;
     cosines[2] = cosines[1] * cosines[1] - sines[1] * sines[1];
     sines[2] = sines[1] * cosines[1] + cosines[1] * sines[1];
     cosines[3] = cosines[1] * cosines[2] - sines[1] * sines[2];
@@ -502,6 +759,17 @@ static inline skylight_sh_4_bands_0_1pct_packed_real skylight_sh_4_bands_0_1pct_
     return x[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_SUN] + x[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_SUN] *
         (part_1 * ((-0.166666597f) + part_1 * (0.00833306555f + part_1 * ((-0.000198095426f) +
         part_1 * 2.60563934e-06f))));
+}
+
+/* Cosine and sine of an angle of at most an eighth of a turn. */
+static inline void skylight_sh_4_bands_0_1pct_packed_quarter(skylight_sh_4_bands_0_1pct_packed_real
+    angle, skylight_sh_4_bands_0_1pct_packed_real *out)
+{
+    const float part_1 = angle * angle;
+    out[0] = 1.0f - 0.5f * part_1 + part_1 * part_1 * (0.0416666456f + part_1 * ((-0.00138873665f) +
+        part_1 * 2.44383464e-05f));
+    out[1] = angle + angle * (part_1 * ((-0.166666552f) + part_1 * (0.0083321603f + part_1 *
+        (-0.00019515281f))));
 }
 
 /* The zonal window's factor for the degree `share` * bands (Habel et al.
@@ -595,173 +863,178 @@ static inline void skylight_sh_4_bands_0_1pct_packed_factor_slopes(const double 
     const double part_14 = (-0.022700000000000001) * x[1] + 5.3250999999999999;
     const double part_15 = 0.1206 * x[1] + (-2.5771000000000002);
     const double y = part_15 * x[0] * 0.25;
-    const double part_16 = 0.0076543250999999996 + y * 0.00084900787100000003;
-    const double part_17 = 0.041223317699999998 + y * part_16;
-    const double part_18 = 0.16651516699999999 + y * part_17;
-    const double part_19 = 0.49997509099999998 + y * part_18;
-    const double part_20 = 0.99999845399999998 + y * part_19;
-    const double halo = 0.99999998400000001 + y * part_20;
+    const double y2 = y * y;
+    const double part_16 = 0.041223317699999998 + 0.0076543250999999996 * y + y2 *
+        0.00084900787100000003;
+    const double part_17 = 0.49997509099999998 + 0.16651516699999999 * y + y2 * part_16;
+    const double halo = 0.99999998400000001 + 0.99999845399999998 * y + y2 * part_17;
     const double halo2 = halo * halo;
     const double halo4 = halo2 * halo2;
-    const double part_21 = (-0.067000000000000004) * x[1] + 0.37030000000000002;
+    const double part_18 = (-0.067000000000000004) * x[1] + 0.37030000000000002;
     const double z = x[0] * x[0];
-    const double part_22 = 0.5 - z * 0.03125;
-    const double cosine = 1.0 - z * part_22;
+    const double part_19 = 0.5 - z * 0.03125;
+    const double cosine = 1.0 - z * part_19;
     const double cosine2 = cosine * cosine;
-    const double part_23 = 1.0 + part_14 * halo4 + part_21 * cosine2;
-    const double shape_y = part_13 * part_23;
-    const double part_24 = below * shape_y;
-    const double part_25 = 0.0027499999999999998 * x[1] + (-0.042139999999999997);
-    const double part_26 = part_25 * x[1] + 0.15346000000000001;
-    const double part_27 = (-0.0061000000000000004) * x[1] + 0.089700000000000002;
-    const double part_28 = part_26 * x[0] + (part_27 * x[1] + (-0.26756000000000002));
-    const double part_29 = 0.0031700000000000001 * x[1] + (-0.041529999999999997);
-    const double part_30 = part_28 * x[0] + (part_29 * x[1] + 0.066699999999999995);
-    const double y_zenith = part_30 * x[0] + (0.0051599999999999997 * x[1] + 0.26688000000000001);
-    const double part_31 = part_24 * y_zenith;
-    const double part_32 = 0.0025000000000000001 * x[1] + 0.73319999999999996;
-    const double part_33 = (-0.00040000000000000002) * x[1] + 0.21249999999999999;
-    const double part_34 = (-0.064100000000000004) * x[1] + (-0.89890000000000003);
-    const double y_2 = part_34 * x[0] * 0.25;
-    const double part_35 = 0.0076543250999999996 + y_2 * 0.00084900787100000003;
-    const double part_36 = 0.041223317699999998 + y_2 * part_35;
-    const double part_37 = 0.16651516699999999 + y_2 * part_36;
-    const double part_38 = 0.49997509099999998 + y_2 * part_37;
-    const double part_39 = 0.99999845399999998 + y_2 * part_38;
-    const double halo_2 = 0.99999998400000001 + y_2 * part_39;
+    const double part_20 = 1.0 + part_14 * halo4 + part_18 * cosine2;
+    const double shape_y = part_13 * part_20;
+    const double part_21 = below * shape_y;
+    const double part_22 = 0.0027499999999999998 * x[1] + (-0.042139999999999997);
+    const double part_23 = part_22 * x[1] + 0.15346000000000001;
+    const double part_24 = (-0.0061000000000000004) * x[1] + 0.089700000000000002;
+    const double part_25 = part_23 * x[0] + (part_24 * x[1] + (-0.26756000000000002));
+    const double part_26 = 0.0031700000000000001 * x[1] + (-0.041529999999999997);
+    const double part_27 = part_25 * x[0] + (part_26 * x[1] + 0.066699999999999995);
+    const double y_zenith = part_27 * x[0] + (0.0051599999999999997 * x[1] + 0.26688000000000001);
+    const double part_28 = part_21 * y_zenith;
+    const double part_29 = 0.0025000000000000001 * x[1] + 0.73319999999999996;
+    const double part_30 = (-0.00040000000000000002) * x[1] + 0.21249999999999999;
+    const double part_31 = (-0.064100000000000004) * x[1] + (-0.89890000000000003);
+    const double y_2 = part_31 * x[0] * 0.25;
+    const double y2_2 = y_2 * y_2;
+    const double part_32 = 0.041223317699999998 + 0.0076543250999999996 * y_2 + y2_2 *
+        0.00084900787100000003;
+    const double part_33 = 0.49997509099999998 + 0.16651516699999999 * y_2 + y2_2 * part_32;
+    const double halo_2 = 0.99999998400000001 + 0.99999845399999998 * y_2 + y2_2 * part_33;
     const double halo2_2 = halo_2 * halo_2;
     const double halo4_2 = halo2_2 * halo2_2;
-    const double part_40 = (-0.0033) * x[1] + 0.045199999999999997;
-    const double part_41 = 1.0 + part_33 * halo4_2 + part_40 * cosine2;
-    const double shape_x = part_32 * part_41;
-    const double part_42 = part_31 * shape_x;
-    const double one = zenith / part_42;
-    const double part_43 = 0.00166 * x[1] + (-0.02903);
-    const double part_44 = part_43 * x[1] + 0.11693000000000001;
-    const double part_45 = (-0.0037499999999999999) * x[1] + 0.063769999999999993;
-    const double part_46 = part_44 * x[0] + (part_45 * x[1] + (-0.21196000000000001));
-    const double part_47 = 0.0020899999999999998 * x[1] + (-0.03202);
-    const double part_48 = part_46 * x[0] + (part_47 * x[1] + 0.060519999999999997);
-    const double x_zenith = part_48 * x[0] + (0.0039399999999999999 * x[1] + 0.25885999999999998);
-    const double part_49 = one * x_zenith;
-    const double part_50 = 0.0099299999999999996 * x[1] + 0.73440000000000005;
-    const double part_51 = (-0.0079000000000000008) * x[1] + 0.2102;
-    const double part_52 = (-0.0441) * x[1] + (-1.6536999999999999);
-    const double y_3 = part_52 * x[0] * 0.25;
-    const double part_53 = 0.0076543250999999996 + y_3 * 0.00084900787100000003;
-    const double part_54 = 0.041223317699999998 + y_3 * part_53;
-    const double part_55 = 0.16651516699999999 + y_3 * part_54;
-    const double part_56 = 0.49997509099999998 + y_3 * part_55;
-    const double part_57 = 0.99999845399999998 + y_3 * part_56;
-    const double halo_3 = 0.99999998400000001 + y_3 * part_57;
+    const double part_34 = (-0.0033) * x[1] + 0.045199999999999997;
+    const double part_35 = 1.0 + part_30 * halo4_2 + part_34 * cosine2;
+    const double shape_x = part_29 * part_35;
+    const double part_36 = part_28 * shape_x;
+    const double one = zenith / part_36;
+    const double part_37 = 0.00166 * x[1] + (-0.02903);
+    const double part_38 = part_37 * x[1] + 0.11693000000000001;
+    const double part_39 = (-0.0037499999999999999) * x[1] + 0.063769999999999993;
+    const double part_40 = part_38 * x[0] + (part_39 * x[1] + (-0.21196000000000001));
+    const double part_41 = 0.0020899999999999998 * x[1] + (-0.03202);
+    const double part_42 = part_40 * x[0] + (part_41 * x[1] + 0.060519999999999997);
+    const double x_zenith = part_42 * x[0] + (0.0039399999999999999 * x[1] + 0.25885999999999998);
+    const double part_43 = one * x_zenith;
+    const double part_44 = 0.0099299999999999996 * x[1] + 0.73440000000000005;
+    const double part_45 = (-0.0079000000000000008) * x[1] + 0.2102;
+    const double part_46 = (-0.0441) * x[1] + (-1.6536999999999999);
+    const double y_3 = part_46 * x[0] * 0.25;
+    const double y2_3 = y_3 * y_3;
+    const double part_47 = 0.041223317699999998 + 0.0076543250999999996 * y_3 + y2_3 *
+        0.00084900787100000003;
+    const double part_48 = 0.49997509099999998 + 0.16651516699999999 * y_3 + y2_3 * part_47;
+    const double halo_3 = 0.99999998400000001 + 0.99999845399999998 * y_3 + y2_3 * part_48;
     const double halo2_3 = halo_3 * halo_3;
     const double halo4_3 = halo2_3 * halo2_3;
-    const double part_58 = (-0.0109) * x[1] + 0.052900000000000003;
-    const double part_59 = 1.0 + part_51 * halo4_3 + part_58 * cosine2;
-    const double shape_z = part_50 * part_59;
-    const double of_x = part_49 * shape_z;
-    out[1] = 3.7389855999999999 * of_x;
-    const double part_60 = one * y_zenith;
-    const double of_y = part_60 * shape_x;
-    const double part_61 = one * shape_z;
-    const double of_s = part_61 * shape_x;
-    out[2] = (-0.49853140000000001) * of_s;
-    out[0] = out[1] + (-1.0386070999999999) * of_y + out[2];
-    out[4] = (-1.0108219999999999) * of_x;
-    out[5] = 0.041556000000000003 * of_s;
-    out[3] = out[4] + 1.8344548000000001 * of_y + out[5];
-    out[7] = (-1.0015818000000001) * of_x;
-    out[8] = 1.0572252 * of_s;
-    out[6] = out[7] + (-1.2612511) * of_y + out[8];
-    const double part_62 = part_2 * -1.0;
-    const double part_63 = part_62 * chi + chi * part_62;
-    const double part_64 = -(part_63 * part_8 + square * -(15.0 * part_63));
-    const double part_65 = part_15 * 0.25;
-    const double part_66 = part_65 * part_20 + y * (part_65 * part_19 + y * (part_65 * part_18 + y *
-        (part_65 * part_17 + y * (part_65 * part_16 + y * (part_65 * 0.00084900787100000003)))));
-    const double part_67 = part_66 * halo + halo * part_66;
-    const double part_68 = x[0] + x[0];
-    const double part_69 = -(part_68 * part_22 + z * -(part_68 * 0.03125));
-    const double part_70 = part_69 * cosine + cosine * part_69;
-    const double part_71 = (part_26 * x[0] + part_28) * x[0] + part_30;
-    const double part_72 = part_34 * 0.25;
-    const double part_73 = part_72 * part_39 + y_2 * (part_72 * part_38 + y_2 * (part_72 * part_37 +
-        y_2 * (part_72 * part_36 + y_2 * (part_72 * part_35 + y_2 * (part_72 *
-        0.00084900787100000003)))));
-    const double part_74 = part_73 * halo_2 + halo_2 * part_73;
-    const double part_75 = part_32 * (part_33 * (part_74 * halo2_2 + halo2_2 * part_74) + part_40 *
-        part_70);
-    const double part_76 = (part_1 * (part_62 * part_5 + chi * -(part_63 * part_4 + square *
-        -part_63)) + part_7 * part_64) / part_42 - one * (((part_64 * shape_y + below * (part_13 *
-        (part_14 * (part_67 * halo2 + halo2 * part_67) + part_21 * part_70))) * y_zenith + part_24 *
-        part_71) * shape_x + part_31 * part_75) / part_42;
-    const double part_77 = part_52 * 0.25;
-    const double part_78 = part_77 * part_57 + y_3 * (part_77 * part_56 + y_3 * (part_77 * part_55 +
-        y_3 * (part_77 * part_54 + y_3 * (part_77 * part_53 + y_3 * (part_77 *
-        0.00084900787100000003)))));
-    const double part_79 = part_78 * halo_3 + halo_3 * part_78;
-    const double part_80 = part_50 * (part_51 * (part_79 * halo2_3 + halo2_3 * part_79) + part_58 *
-        part_70);
-    const double part_81 = (part_76 * x_zenith + one * ((part_44 * x[0] + part_46) * x[0] +
-        part_48)) * shape_z + part_49 * part_80;
-    out[10] = 3.7389855999999999 * part_81;
-    const double part_82 = (part_76 * y_zenith + one * part_71) * shape_x + part_60 * part_75;
-    const double part_83 = (part_76 * shape_z + one * part_80) * shape_x + part_61 * part_75;
-    out[11] = (-0.49853140000000001) * part_83;
-    out[9] = out[10] + (-1.0386070999999999) * part_82 + out[11];
-    out[13] = (-1.0108219999999999) * part_81;
-    out[14] = 0.041556000000000003 * part_83;
-    out[12] = out[13] + 1.8344548000000001 * part_82 + out[14];
-    out[16] = (-1.0015818000000001) * part_81;
-    out[17] = 1.0572252 * part_83;
-    out[15] = out[16] + (-1.2612511) * part_82 + out[17];
-    const double part_84 = -0.016666666666666666 * part_3;
-    const double part_85 = part_84 * chi + chi * part_84;
-    const double part_86 = -(part_85 * part_8 + square * -(15.0 * part_85));
-    const double part_87 = (-0.35539999999999999) * part_11 + part_10 * ((-0.35539999999999999) *
+    const double part_49 = (-0.0109) * x[1] + 0.052900000000000003;
+    const double part_50 = 1.0 + part_45 * halo4_3 + part_49 * cosine2;
+    const double shape_z = part_44 * part_50;
+    const double of_x = part_43 * shape_z;
+    out[4] = 3.7389855999999999 * of_x;
+    const double part_51 = one * y_zenith;
+    const double of_y = part_51 * shape_x;
+    const double part_52 = one * shape_z;
+    const double of_s = part_52 * shape_x;
+    out[8] = (-0.49853140000000001) * of_s;
+    out[0] = out[4] + (-1.0386070999999999) * of_y + out[8];
+    out[5] = (-1.0108219999999999) * of_x;
+    out[9] = 0.041556000000000003 * of_s;
+    out[1] = out[5] + 1.8344548000000001 * of_y + out[9];
+    out[6] = (-1.0015818000000001) * of_x;
+    out[10] = 1.0572252 * of_s;
+    out[2] = out[6] + (-1.2612511) * of_y + out[10];
+    const double part_53 = part_2 * -1.0;
+    const double part_54 = part_53 * chi + chi * part_53;
+    const double part_55 = -(part_54 * part_8 + square * -(15.0 * part_54));
+    const double part_56 = part_15 * 0.25;
+    const double part_57 = part_56 * y + y * part_56;
+    const double part_58 = 0.99999845399999998 * part_56 + (part_57 * part_17 + y2 *
+        (0.16651516699999999 * part_56 + (part_57 * part_16 + y2 * (0.0076543250999999996 * part_56
+        + part_57 * 0.00084900787100000003))));
+    const double part_59 = part_58 * halo + halo * part_58;
+    const double part_60 = x[0] + x[0];
+    const double part_61 = -(part_60 * part_19 + z * -(part_60 * 0.03125));
+    const double part_62 = part_61 * cosine + cosine * part_61;
+    const double part_63 = (part_23 * x[0] + part_25) * x[0] + part_27;
+    const double part_64 = part_31 * 0.25;
+    const double part_65 = part_64 * y_2 + y_2 * part_64;
+    const double part_66 = 0.99999845399999998 * part_64 + (part_65 * part_33 + y2_2 *
+        (0.16651516699999999 * part_64 + (part_65 * part_32 + y2_2 * (0.0076543250999999996 *
+        part_64 + part_65 * 0.00084900787100000003))));
+    const double part_67 = part_66 * halo_2 + halo_2 * part_66;
+    const double part_68 = part_29 * (part_30 * (part_67 * halo2_2 + halo2_2 * part_67) + part_34 *
+        part_62);
+    const double part_69 = (part_1 * (part_53 * part_5 + chi * -(part_54 * part_4 + square *
+        -part_54)) + part_7 * part_55) / part_36 - one * (((part_55 * shape_y + below * (part_13 *
+        (part_14 * (part_59 * halo2 + halo2 * part_59) + part_18 * part_62))) * y_zenith + part_21 *
+        part_63) * shape_x + part_28 * part_68) / part_36;
+    const double part_70 = part_46 * 0.25;
+    const double part_71 = part_70 * y_3 + y_3 * part_70;
+    const double part_72 = 0.99999845399999998 * part_70 + (part_71 * part_48 + y2_3 *
+        (0.16651516699999999 * part_70 + (part_71 * part_47 + y2_3 * (0.0076543250999999996 *
+        part_70 + part_71 * 0.00084900787100000003))));
+    const double part_73 = part_72 * halo_3 + halo_3 * part_72;
+    const double part_74 = part_44 * (part_45 * (part_73 * halo2_3 + halo2_3 * part_73) + part_49 *
+        part_62);
+    const double part_75 = (part_69 * x_zenith + one * ((part_38 * x[0] + part_40) * x[0] +
+        part_42)) * shape_z + part_43 * part_74;
+    out[16] = 3.7389855999999999 * part_75;
+    const double part_76 = (part_69 * y_zenith + one * part_63) * shape_x + part_51 * part_68;
+    const double part_77 = (part_69 * shape_z + one * part_74) * shape_x + part_52 * part_68;
+    out[20] = (-0.49853140000000001) * part_77;
+    out[12] = out[16] + (-1.0386070999999999) * part_76 + out[20];
+    out[17] = (-1.0108219999999999) * part_75;
+    out[21] = 0.041556000000000003 * part_77;
+    out[13] = out[17] + 1.8344548000000001 * part_76 + out[21];
+    out[18] = (-1.0015818000000001) * part_75;
+    out[22] = 1.0572252 * part_77;
+    out[14] = out[18] + (-1.2612511) * part_76 + out[22];
+    const double part_78 = -0.016666666666666666 * part_3;
+    const double part_79 = part_78 * chi + chi * part_78;
+    const double part_80 = -(part_79 * part_8 + square * -(15.0 * part_79));
+    const double part_81 = (-0.35539999999999999) * part_11 + part_10 * ((-0.35539999999999999) *
         0.03125);
-    const double part_88 = part_87 * up + up * part_87;
-    const double part_89 = 0.1206 * x[0] * 0.25;
-    const double part_90 = part_89 * part_20 + y * (part_89 * part_19 + y * (part_89 * part_18 + y *
-        (part_89 * part_17 + y * (part_89 * part_16 + y * (part_89 * 0.00084900787100000003)))));
-    const double part_91 = part_90 * halo + halo * part_90;
-    const double part_92 = (((0.0027499999999999998 * x[1] + part_25) * x[0] +
-        ((-0.0061000000000000004) * x[1] + part_27)) * x[0] + (0.0031700000000000001 * x[1] +
-        part_29)) * x[0] + 0.0051599999999999997;
-    const double part_93 = (-0.064100000000000004) * x[0] * 0.25;
-    const double part_94 = part_93 * part_39 + y_2 * (part_93 * part_38 + y_2 * (part_93 * part_37 +
-        y_2 * (part_93 * part_36 + y_2 * (part_93 * part_35 + y_2 * (part_93 *
-        0.00084900787100000003)))));
-    const double part_95 = part_94 * halo_2 + halo_2 * part_94;
-    const double part_96 = 0.0025000000000000001 * part_41 + part_32 * ((-0.00040000000000000002) *
-        halo4_2 + part_33 * (part_95 * halo2_2 + halo2_2 * part_95) + (-0.0033) * cosine2);
-    const double part_97 = (4045.3000000000002 * part_6 + part_1 * (part_84 * part_5 + chi *
-        -(part_85 * part_4 + square * -part_85)) + (-215.5 * below + part_7 * part_86)) / part_42 -
-        one * (((part_86 * shape_y + below * ((0.1787 * part_12 + part_9 * (part_88 * up2 + up2 *
-        part_88)) * part_23 + part_13 * ((-0.022700000000000001) * halo4 + part_14 * (part_91 *
-        halo2 + halo2 * part_91) + (-0.067000000000000004) * cosine2))) * y_zenith + part_24 *
-        part_92) * shape_x + part_31 * part_96) / part_42;
-    const double part_98 = (-0.0441) * x[0] * 0.25;
-    const double part_99 = part_98 * part_57 + y_3 * (part_98 * part_56 + y_3 * (part_98 * part_55 +
-        y_3 * (part_98 * part_54 + y_3 * (part_98 * part_53 + y_3 * (part_98 *
-        0.00084900787100000003)))));
-    const double part_100 = part_99 * halo_3 + halo_3 * part_99;
-    const double part_101 = 0.0099299999999999996 * part_59 + part_50 * ((-0.0079000000000000008) *
-        halo4_3 + part_51 * (part_100 * halo2_3 + halo2_3 * part_100) + (-0.0109) * cosine2);
-    const double part_102 = (part_97 * x_zenith + one * ((((0.00166 * x[1] + part_43) * x[0] +
-        ((-0.0037499999999999999) * x[1] + part_45)) * x[0] + (0.0020899999999999998 * x[1] +
-        part_47)) * x[0] + 0.0039399999999999999)) * shape_z + part_49 * part_101;
-    out[19] = 3.7389855999999999 * part_102;
-    const double part_103 = (part_97 * y_zenith + one * part_92) * shape_x + part_60 * part_96;
-    const double part_104 = (part_97 * shape_z + one * part_101) * shape_x + part_61 * part_96;
-    out[20] = (-0.49853140000000001) * part_104;
-    out[18] = out[19] + (-1.0386070999999999) * part_103 + out[20];
-    out[22] = (-1.0108219999999999) * part_102;
-    out[23] = 0.041556000000000003 * part_104;
-    out[21] = out[22] + 1.8344548000000001 * part_103 + out[23];
-    out[25] = (-1.0015818000000001) * part_102;
-    out[26] = 1.0572252 * part_104;
-    out[24] = out[25] + (-1.2612511) * part_103 + out[26];
+    const double part_82 = part_81 * up + up * part_81;
+    const double part_83 = 0.1206 * x[0] * 0.25;
+    const double part_84 = part_83 * y + y * part_83;
+    const double part_85 = 0.99999845399999998 * part_83 + (part_84 * part_17 + y2 *
+        (0.16651516699999999 * part_83 + (part_84 * part_16 + y2 * (0.0076543250999999996 * part_83
+        + part_84 * 0.00084900787100000003))));
+    const double part_86 = part_85 * halo + halo * part_85;
+    const double part_87 = (((0.0027499999999999998 * x[1] + part_22) * x[0] +
+        ((-0.0061000000000000004) * x[1] + part_24)) * x[0] + (0.0031700000000000001 * x[1] +
+        part_26)) * x[0] + 0.0051599999999999997;
+    const double part_88 = (-0.064100000000000004) * x[0] * 0.25;
+    const double part_89 = part_88 * y_2 + y_2 * part_88;
+    const double part_90 = 0.99999845399999998 * part_88 + (part_89 * part_33 + y2_2 *
+        (0.16651516699999999 * part_88 + (part_89 * part_32 + y2_2 * (0.0076543250999999996 *
+        part_88 + part_89 * 0.00084900787100000003))));
+    const double part_91 = part_90 * halo_2 + halo_2 * part_90;
+    const double part_92 = 0.0025000000000000001 * part_35 + part_29 * ((-0.00040000000000000002) *
+        halo4_2 + part_30 * (part_91 * halo2_2 + halo2_2 * part_91) + (-0.0033) * cosine2);
+    const double part_93 = (4045.3000000000002 * part_6 + part_1 * (part_78 * part_5 + chi *
+        -(part_79 * part_4 + square * -part_79)) + (-215.5 * below + part_7 * part_80)) / part_36 -
+        one * (((part_80 * shape_y + below * ((0.1787 * part_12 + part_9 * (part_82 * up2 + up2 *
+        part_82)) * part_20 + part_13 * ((-0.022700000000000001) * halo4 + part_14 * (part_86 *
+        halo2 + halo2 * part_86) + (-0.067000000000000004) * cosine2))) * y_zenith + part_21 *
+        part_87) * shape_x + part_28 * part_92) / part_36;
+    const double part_94 = (-0.0441) * x[0] * 0.25;
+    const double part_95 = part_94 * y_3 + y_3 * part_94;
+    const double part_96 = 0.99999845399999998 * part_94 + (part_95 * part_48 + y2_3 *
+        (0.16651516699999999 * part_94 + (part_95 * part_47 + y2_3 * (0.0076543250999999996 *
+        part_94 + part_95 * 0.00084900787100000003))));
+    const double part_97 = part_96 * halo_3 + halo_3 * part_96;
+    const double part_98 = 0.0099299999999999996 * part_50 + part_44 * ((-0.0079000000000000008) *
+        halo4_3 + part_45 * (part_97 * halo2_3 + halo2_3 * part_97) + (-0.0109) * cosine2);
+    const double part_99 = (part_93 * x_zenith + one * ((((0.00166 * x[1] + part_37) * x[0] +
+        ((-0.0037499999999999999) * x[1] + part_39)) * x[0] + (0.0020899999999999998 * x[1] +
+        part_41)) * x[0] + 0.0039399999999999999)) * shape_z + part_43 * part_98;
+    out[28] = 3.7389855999999999 * part_99;
+    const double part_100 = (part_93 * y_zenith + one * part_87) * shape_x + part_51 * part_92;
+    const double part_101 = (part_93 * shape_z + one * part_98) * shape_x + part_52 * part_92;
+    out[32] = (-0.49853140000000001) * part_101;
+    out[24] = out[28] + (-1.0386070999999999) * part_100 + out[32];
+    out[29] = (-1.0108219999999999) * part_99;
+    out[33] = 0.041556000000000003 * part_101;
+    out[25] = out[29] + 1.8344548000000001 * part_100 + out[33];
+    out[30] = (-1.0015818000000001) * part_99;
+    out[34] = 1.0572252 * part_101;
+    out[26] = out[30] + (-1.2612511) * part_100 + out[34];
     (void)x;
 }
 
@@ -805,7 +1078,8 @@ static inline int skylight_sh_4_bands_0_1pct_packed_inputs(const float
         skylight_sh_4_bands_0_1pct_packed_kind(inputs[axis]);
     if (strange & 2) return 2;
     for (axis = 0; axis < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_AXES; ++axis) {
-        const float v = skylight_sh_4_bands_0_1pct_packed_finite(inputs[axis]);
+        const float v = strange ? skylight_sh_4_bands_0_1pct_packed_finite(inputs[axis]) :
+            inputs[axis];
         const skylight_sh_4_bands_0_1pct_packed_real low =
             skylight_sh_4_bands_0_1pct_packed_range[axis][0],
             high = skylight_sh_4_bands_0_1pct_packed_range[axis][1];
@@ -819,115 +1093,34 @@ static inline int skylight_sh_4_bands_0_1pct_packed_inputs(const float
     return status;
 }
 
-/* Numbers side by side where the compiler has vector types: as many as the processor's registers
-   hold, and four. */
-#if defined(__GNUC__) && (defined(__SSE__) || defined(__ARM_NEON) || defined(__ALTIVEC__) || \
-                          defined(__wasm_simd128__) || defined(__loongarch_sx))
-#if defined(__AVX512F__)
-#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_LANES 16
-#elif defined(__AVX__)
-#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_LANES 8
-#else
-#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_LANES 4
-#endif
-#endif
-/* What is worth its place in every caller. */
-#ifdef __GNUC__
-#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_INLINE static inline __attribute__((always_inline))
-#else
-#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_INLINE static inline
-#endif
-#ifdef SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_LANES
-#ifdef __FMA__
-/* One operation for a product and a sum, which standard C may not choose by itself. */
-#include <immintrin.h>
-#endif
-typedef float skylight_sh_4_bands_0_1pct_packed_lanes __attribute__((vector_size(4 *
-    SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_LANES)));
-typedef float skylight_sh_4_bands_0_1pct_packed_four __attribute__((vector_size(16)));
-typedef int skylight_sh_4_bands_0_1pct_packed_order __attribute__((vector_size(16)));
-
-/* The same number in all places: v - 0 is v, which 0 + v need not be. */
-static inline skylight_sh_4_bands_0_1pct_packed_lanes skylight_sh_4_bands_0_1pct_packed_spread(float
-    v)
+/* The cosine and sine of an angle. */
+static inline void skylight_sh_4_bands_0_1pct_packed_circle(skylight_sh_4_bands_0_1pct_packed_real
+    angle, skylight_sh_4_bands_0_1pct_packed_real *cosine,
+                                      skylight_sh_4_bands_0_1pct_packed_real *sine)
 {
-    const skylight_sh_4_bands_0_1pct_packed_lanes zeros = {0};
-    return v - zeros;
+    /* By the nearest quarter turn and the rest of it: without a branch, which a processor would
+     * have
+       to guess. The rest in double, since the two nearly cancel. */
+    float out[2];
+    uint32_t bits[2], quarter, swapped;
+    int quarters;
+    if (!(angle > -1e5f && angle < 1e5f)) {
+        *cosine = cosf(angle);
+        *sine = sinf(angle);
+        return;
+    }
+    quarters = (int)(angle * 0.636619772f + copysignf(0.5f, angle));
+    skylight_sh_4_bands_0_1pct_packed_quarter((float)((double)angle - (double)quarters *
+        1.5707963267948966), out);
+    memcpy(bits, out, sizeof bits);
+    quarter = (uint32_t)quarters;
+    /* Odd quarters swap the two; each changes its sign in two of four. */
+    swapped = (bits[0] ^ bits[1]) & (0u - (quarter & 1u));
+    bits[0] ^= swapped ^ (((quarter + 1u) & 2u) << 30);
+    bits[1] ^= swapped ^ ((quarter & 2u) << 30);
+    memcpy(cosine, &bits[0], sizeof bits[0]);
+    memcpy(sine, &bits[1], sizeof bits[1]);
 }
-
-static inline skylight_sh_4_bands_0_1pct_packed_lanes skylight_sh_4_bands_0_1pct_packed_load(const
-    float *from)
-{
-    skylight_sh_4_bands_0_1pct_packed_lanes v;
-    memcpy(&v, from, sizeof v);
-    return v;
-}
-
-/* a * b + c. */
-static inline skylight_sh_4_bands_0_1pct_packed_lanes
-    skylight_sh_4_bands_0_1pct_packed_add(skylight_sh_4_bands_0_1pct_packed_lanes a,
-    skylight_sh_4_bands_0_1pct_packed_lanes b,
-                                                skylight_sh_4_bands_0_1pct_packed_lanes c)
-{
-#if defined(__FMA__) && SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_LANES == 16
-    return _mm512_fmadd_ps(a, b, c);
-#elif defined(__FMA__) && SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_LANES == 8
-    return _mm256_fmadd_ps(a, b, c);
-#else
-    return a * b + c;
-#endif
-}
-
-static inline skylight_sh_4_bands_0_1pct_packed_four
-    skylight_sh_4_bands_0_1pct_packed_spread_four(float v)
-{
-    const skylight_sh_4_bands_0_1pct_packed_four zeros = {0};
-    return v - zeros;
-}
-
-static inline skylight_sh_4_bands_0_1pct_packed_four
-    skylight_sh_4_bands_0_1pct_packed_load_four(const float *from)
-{
-    skylight_sh_4_bands_0_1pct_packed_four v;
-    memcpy(&v, from, sizeof v);
-    return v;
-}
-
-static inline skylight_sh_4_bands_0_1pct_packed_four
-    skylight_sh_4_bands_0_1pct_packed_add_four(skylight_sh_4_bands_0_1pct_packed_four a,
-    skylight_sh_4_bands_0_1pct_packed_four b,
-                                                    skylight_sh_4_bands_0_1pct_packed_four c)
-{
-#ifdef __FMA__
-    return _mm_fmadd_ps(a, b, c);
-#else
-    return a * b + c;
-#endif
-}
-
-static inline void skylight_sh_4_bands_0_1pct_packed_keep(float *to,
-    skylight_sh_4_bands_0_1pct_packed_four v)
-{
-    memcpy(to, &v, sizeof v);
-}
-
-/* Four of the eight numbers of two vectors. */
-#ifdef __clang__
-#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_PICK(v, w, a, b, c, d) __builtin_shufflevector(v, w, a, \
-    b, c, d)
-#else
-#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_PICK(v, w, a, b, c, d) \
-    skylight_sh_4_bands_0_1pct_packed_pick(v, w, a, b, c, d)
-static inline skylight_sh_4_bands_0_1pct_packed_four
-    skylight_sh_4_bands_0_1pct_packed_pick(skylight_sh_4_bands_0_1pct_packed_four v,
-    skylight_sh_4_bands_0_1pct_packed_four w, int a,
-                                                int b, int c, int d)
-{
-    const skylight_sh_4_bands_0_1pct_packed_order order = {a, b, c, d};
-    return __builtin_shuffle(v, w, order);
-}
-#endif
-#endif
 
 /* One channel's sums, from those of its classes. */
 static inline void skylight_sh_4_bands_0_1pct_packed_mix(skylight_sh_4_bands_0_1pct_packed_real
@@ -939,11 +1132,10 @@ static inline void skylight_sh_4_bands_0_1pct_packed_mix(skylight_sh_4_bands_0_1
     int i;
     int k;
     for (i = 0; i < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WIDTH; ++i)
-        mixed[i] = factors[channel * SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASSES] * sums[0][i];
+        mixed[i] = factors[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_FACTOR(channel, 0)] * sums[0][i];
     for (k = 1; k < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASSES; ++k)
         for (i = 0; i < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WIDTH; ++i)
-            mixed[i] += factors[channel * SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASSES + k] *
-                sums[k][i];
+            mixed[i] += factors[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_FACTOR(channel, k)] * sums[k][i];
 }
 
 /* Orders m >= 0 alone are stored: those of a light that is even in y at azimuth 0. */
@@ -988,12 +1180,12 @@ static inline void skylight_sh_4_bands_0_1pct_packed_store(
         skylight_sh_4_bands_0_1pct_packed_four v[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_FOURS];
         for (q = 0; q < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_FOURS; ++q) {
             int k;
-            v[q] = factors[channel * SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASSES] *
-                skylight_sh_4_bands_0_1pct_packed_load_four(sums[0] + 4 * q);
+            v[q] = factors[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_FACTOR(channel,
+                0)] * skylight_sh_4_bands_0_1pct_packed_load_four(sums[0] + 4 * q);
             for (k = 1; k < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASSES; ++k)
                 v[q] = skylight_sh_4_bands_0_1pct_packed_add_four(
-                    skylight_sh_4_bands_0_1pct_packed_spread_four(factors[channel *
-                        SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASSES + k]),
+                    skylight_sh_4_bands_0_1pct_packed_spread_four(factors
+                        [SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_FACTOR(channel, k)]),
                     skylight_sh_4_bands_0_1pct_packed_load_four(sums[k] + 4 * q), v[q]);
         }
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BAND(l, stores) \
@@ -1049,6 +1241,10 @@ static inline void skylight_sh_4_bands_0_1pct_packed_store(
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BLOCK \
     ((SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_VECTORS(SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WIDTH) + \
         SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BLOCKS - 1) / SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BLOCKS)
+/* What is done for each vector of a block: written out, since a compiler that keeps loops keeps
+ * their
+   vectors in memory. */
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_EACH(DO) DO(0) DO(1) DO(2) DO(3) DO(4) DO(5) DO(6) DO(7)
 #endif
 
 /* The products of the functions of all axes, of one class in the order of its rows. */
@@ -1086,41 +1282,52 @@ static inline void skylight_sh_4_bands_0_1pct_packed_sum_block(const
                                          const skylight_sh_4_bands_0_1pct_packed_real *products,
                                              skylight_sh_4_bands_0_1pct_packed_real *sums)
 {
-    skylight_sh_4_bands_0_1pct_packed_lanes
-        total[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_SIDE][SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BLOCK];
-    int t, i, k;
-    for (i = 0; i < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_SIDE; ++i)
-        for (k = 0; k < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BLOCK; ++k) total[i][k] =
-            skylight_sh_4_bands_0_1pct_packed_spread(0);
+    skylight_sh_4_bands_0_1pct_packed_lanes total[8];
+    int t;
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_ZERO(k) total[k] = \
+    skylight_sh_4_bands_0_1pct_packed_spread(0);
+    /* Vector k of so many rows side by side. */
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_ROWS(k) \
+    if ((k) / SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BLOCK < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_SIDE) \
+        total[k] = skylight_sh_4_bands_0_1pct_packed_add( \
+            skylight_sh_4_bands_0_1pct_packed_spread(products[t + (k) / \
+                SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BLOCK]), \
+            skylight_sh_4_bands_0_1pct_packed_load(row + (k) / \
+                SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BLOCK * SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WIDTH \
+                + \
+                             (k) % SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BLOCK * \
+                                 SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_LANES), \
+            total[k]);
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_ROW(k) \
+    if ((k) < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BLOCK) \
+        total[k] = \
+            skylight_sh_4_bands_0_1pct_packed_add(skylight_sh_4_bands_0_1pct_packed_spread( \
+            products[t]), \
+                                   skylight_sh_4_bands_0_1pct_packed_load(row + (k) * \
+                                       SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_LANES), total[k]);
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_SIDES(k) \
+    if ((k) >= SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BLOCK) total[(k) % \
+        SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BLOCK] += total[k];
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_SUM(k) \
+    if ((k) < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BLOCK) memcpy(sums + (k) * \
+        SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_LANES, &total[k], sizeof total[k]);
+    SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_EACH(SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_ZERO)
     for (t = 0; t + SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_SIDE <= terms; t +=
         SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_SIDE) {
-        for (i = 0; i < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_SIDE; ++i) {
-            const skylight_sh_4_bands_0_1pct_packed_lanes product =
-                skylight_sh_4_bands_0_1pct_packed_spread(products[t + i]);
-            for (k = 0; k < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BLOCK; ++k)
-                total[i][k] = skylight_sh_4_bands_0_1pct_packed_add(
-                    product, skylight_sh_4_bands_0_1pct_packed_load(row + i *
-                        SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WIDTH + k *
-                        SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_LANES),
-                    total[i][k]);
-        }
+        SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_EACH(SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_ROWS)
         row += SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_SIDE * SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WIDTH;
     }
     for (; t < terms; ++t) {
-        const skylight_sh_4_bands_0_1pct_packed_lanes product =
-            skylight_sh_4_bands_0_1pct_packed_spread(products[t]);
-        for (k = 0; k < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BLOCK; ++k)
-            total[0][k] = skylight_sh_4_bands_0_1pct_packed_add(product,
-                skylight_sh_4_bands_0_1pct_packed_load(row + k *
-                SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_LANES),
-                                          total[0][k]);
+        SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_EACH(SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_ROW)
         row += SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WIDTH;
     }
-    for (k = 0; k < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BLOCK; ++k) {
-        for (i = 1; i < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_SIDE; ++i) total[0][k] += total[i][k];
-        memcpy(sums + k * SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_LANES, &total[0][k],
-            sizeof total[0][k]);
-    }
+    SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_EACH(SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_SIDES)
+    SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_EACH(SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_SUM)
+#undef SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_ZERO
+#undef SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_ROWS
+#undef SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_ROW
+#undef SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_SIDES
+#undef SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_SUM
 }
 
 /* The same for one vector of each row. */
@@ -1260,14 +1467,26 @@ typedef struct {
     int count;
 } skylight_sh_4_bands_0_1pct_packed_bits;
 
-static inline void skylight_sh_4_bands_0_1pct_packed_fill(skylight_sh_4_bands_0_1pct_packed_bits *b)
+/* Holds at least 56 bits, at most 63, so that there is a zero above them; past the stream's end
+ * there
+   are zeros. What stands above `count` bits is the stream's too, and is read again. */
+SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_INLINE void
+    skylight_sh_4_bands_0_1pct_packed_fill(skylight_sh_4_bands_0_1pct_packed_bits *b)
 {
     const unsigned char *const end = skylight_sh_4_bands_0_1pct_packed_stream + sizeof
         skylight_sh_4_bands_0_1pct_packed_stream;
-    /* At most 63 bits, so that there is a zero above them. */
-    while (b->count < 56 && b->next < end) {
-        b->held |= (uint64_t)*b->next++ << b->count;
-        b->count += 8;
+    const unsigned char *const p = b->next;
+    if (end - p >= 8) {
+        /* One load, whatever the order of a machine's bytes. */
+        const uint64_t word = (uint64_t)p[0] | (uint64_t)p[1] << 8 | (uint64_t)p[2] << 16 |
+                              (uint64_t)p[3] << 24 | (uint64_t)p[4] << 32 | (uint64_t)p[5] << 40 |
+                              (uint64_t)p[6] << 48 | (uint64_t)p[7] << 56;
+        b->held = (b->held | word << b->count) & (UINT64_MAX >> 1);
+        b->next += (63 - b->count) >> 3;
+        b->count |= 56;
+    } else {
+        for (; b->count < 56; b->count += 8)
+            if (b->next < end) b->held |= (uint64_t)*b->next++ << b->count;
     }
 }
 
@@ -1295,25 +1514,48 @@ static inline int skylight_sh_4_bands_0_1pct_packed_ones(uint64_t held)
 #endif
 }
 
-/* A Rice code of `low` low bits: ones, a zero, the low bits; then folded back: 0, 1, 2, 3 -> 0, -1,
-   1, -2. */
-static inline int skylight_sh_4_bands_0_1pct_packed_rice(skylight_sh_4_bands_0_1pct_packed_bits *b,
-    int low)
+/* The bits after a Rice code that is longer than what is held, and its number, folded. */
+static inline skylight_sh_4_bands_0_1pct_packed_bits
+    skylight_sh_4_bands_0_1pct_packed_long(skylight_sh_4_bands_0_1pct_packed_bits b, int low,
+    unsigned *folded)
 {
-    unsigned high = 0, folded;
+    unsigned high = 0;
     int ones;
-    if (b->count < 32) skylight_sh_4_bands_0_1pct_packed_fill(b);
-    while ((ones = skylight_sh_4_bands_0_1pct_packed_ones(b->held)) >= b->count) {
-        high += (unsigned)b->count;
-        b->held = 0;
-        b->count = 0;
-        skylight_sh_4_bands_0_1pct_packed_fill(b);
+    while ((ones = skylight_sh_4_bands_0_1pct_packed_ones(b.held)) >= b.count) {
+        high += (unsigned)b.count;
+        b.held = 0;
+        b.count = 0;
+        skylight_sh_4_bands_0_1pct_packed_fill(&b);
     }
     high += (unsigned)ones;
-    b->held = b->held >> ones >> 1;
-    b->count -= ones + 1;
-    folded = (high << low) | skylight_sh_4_bands_0_1pct_packed_fixed(b, low);
-    return folded & 1 ? -(int)(folded >> 1) - 1 : (int)(folded >> 1);
+    b.held = b.held >> ones >> 1;
+    b.count -= ones + 1;
+    *folded = (high << low) | skylight_sh_4_bands_0_1pct_packed_fixed(&b, low);
+    return b;
+}
+
+/* A Rice code of `low` low bits: ones, a zero, the low bits; then folded back: 0, 1, 2, 3 -> 0, -1,
+   1, -2. */
+SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_INLINE int
+    skylight_sh_4_bands_0_1pct_packed_rice(skylight_sh_4_bands_0_1pct_packed_bits *b, int low)
+{
+    unsigned folded;
+    int ones, size;
+    if (b->count < 32) skylight_sh_4_bands_0_1pct_packed_fill(b);
+    ones = skylight_sh_4_bands_0_1pct_packed_ones(b->held);
+    size = ones + 1 + low;
+    if (size <= b->count) {
+        /* All of it is held: what follows waits for one shift. */
+        const uint64_t rest = b->held >> ones >> 1;
+        folded = ((unsigned)ones << low) | (unsigned)(rest & ((UINT64_C(1) << low) - 1));
+        b->held >>= size;
+        b->count -= size;
+    } else {
+        unsigned found;
+        *b = skylight_sh_4_bands_0_1pct_packed_long(*b, low, &found);
+        folded = found;
+    }
+    return (int)(folded >> 1) ^ -(int)(folded & 1);
 }
 
 /* The stream from its start. */
@@ -1337,7 +1579,7 @@ static inline void
 }
 
 /* The length of the next run, by that of the same class and product at the weight before. */
-static inline int
+SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_INLINE int
     skylight_sh_4_bands_0_1pct_packed_next_length(skylight_sh_4_bands_0_1pct_packed_bits *b,
     signed char *length)
 {
@@ -1347,7 +1589,7 @@ static inline int
 }
 
 /* The next number, of `size` half low bits. */
-static inline int
+SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_INLINE int
     skylight_sh_4_bands_0_1pct_packed_next_number(skylight_sh_4_bands_0_1pct_packed_bits *b,
     int size)
 {
@@ -1511,11 +1753,9 @@ static inline int skylight_sh_4_bands_0_1pct_packed_evaluate(const
         sines[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BANDS];
     skylight_sh_4_bands_0_1pct_packed_real
         sums[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASSES][SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_ROOM];
-    skylight_sh_4_bands_0_1pct_packed_real factors[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CHANNELS *
-        SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASSES];
+    skylight_sh_4_bands_0_1pct_packed_real factors[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_FACTORS];
     skylight_sh_4_bands_0_1pct_packed_real light = SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_EXPOSURE,
-        radius = 1;
-    skylight_sh_4_bands_0_1pct_packed_real early[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_EARLY];
+        radius = 1, cosine, sine;
     int i, all, status = skylight_sh_4_bands_0_1pct_packed_inputs(inputs, azimuth, x);
     if (status == 2) {
         memset(weights, 0, sizeof(float) * SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CHANNELS *
@@ -1526,26 +1766,21 @@ static inline int skylight_sh_4_bands_0_1pct_packed_evaluate(const
         bands = bands < 1 ? 1 : SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BANDS;
         status = 1;
     }
-    /* First what the library computes: calls keep no registers. */
+    skylight_sh_4_bands_0_1pct_packed_circle((skylight_sh_4_bands_0_1pct_packed_real)azimuth,
+        &cosine, &sine);
     radius = skylight_sh_4_bands_0_1pct_packed_sine(x);
-    skylight_sh_4_bands_0_1pct_packed_waves((skylight_sh_4_bands_0_1pct_packed_real)azimuth, radius,
-        cosines, sines);
+    skylight_sh_4_bands_0_1pct_packed_waves(cosine, sine, radius, cosines, sines);
     skylight_sh_4_bands_0_1pct_packed_first(x, first);
     skylight_sh_4_bands_0_1pct_packed_others(x, others);
-    skylight_sh_4_bands_0_1pct_packed_begin_factors(x, early);
+    skylight_sh_4_bands_0_1pct_packed_factors(x, factors);
+    for (i = 0; i < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_FACTORS; ++i) factors[i] *= light;
     all = bands;
     if (!rows) skylight_sh_4_bands_0_1pct_packed_sum_stream(first, others, all, sums);
-    if (rows)
-        skylight_sh_4_bands_0_1pct_packed_sum_class(rows, 0, first, others, all, sums[0]);
-    /* Between sums: what has begun above waits for itself, and there is more to do meanwhile. */
-    skylight_sh_4_bands_0_1pct_packed_end_factors(x, early, factors);
-    for (i = 0; i < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CHANNELS *
-        SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASSES; ++i) factors[i] *= light;
     if (rows)
     {
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASS(k) \
     skylight_sh_4_bands_0_1pct_packed_sum_class(rows, k, first, others, all, sums[k]);
-        SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_OTHER_CLASSES(SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASS)
+        SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_ALL_CLASSES(SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASS)
 #undef SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASS
     }
     skylight_sh_4_bands_0_1pct_packed_store(sums, factors, cosines, sines, all, weights);
@@ -1578,6 +1813,10 @@ static inline int skylight_sh_4_bands_0_1pct_packed_evaluate_one(const
                                 SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BANDS, weights);
 }
 
+/* Numbers of one sun's weights. */
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_NUMBERS (SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CHANNELS * \
+    SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WEIGHTS)
+
 /* Evaluates `count` suns from arrays, one an axis, and one of azimuths (or none, where the table
    fixes it); returns the largest status. */
 static inline int skylight_sh_4_bands_0_1pct_packed_evaluate_batch(
@@ -1587,8 +1826,8 @@ static inline int skylight_sh_4_bands_0_1pct_packed_evaluate_batch(
         (*weights)[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CHANNELS]
         [SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WEIGHTS])
 {
-    int s, status, worst = 0;
-    for (s = 0; s < count; ++s) {
+    int s = 0, status, worst = 0;
+    for (; s < count; ++s) {
         status = skylight_sh_4_bands_0_1pct_packed_evaluate_one(rows, inputs, azimuths, s,
             weights[s]);
         worst = status > worst ? status : worst;
@@ -1617,8 +1856,7 @@ static inline int skylight_sh_4_bands_0_1pct_packed_evaluate_columns(const
                 some[k]);
             worst = status > worst ? status : worst;
         }
-        for (i = 0; i < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CHANNELS *
-            SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WEIGHTS; ++i)
+        for (i = 0; i < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_NUMBERS; ++i)
             for (k = 0; k < now; ++k)
                 weights[(size_t)i * step + (size_t)(s + k)] =
                     some[k][i / SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_WEIGHTS][i %
@@ -1670,7 +1908,7 @@ static inline double skylight_sh_4_bands_0_1pct_packed_mixed_double(double
     double sum = 0.0;
     int k;
     for (k = 0; k < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASSES; ++k)
-        sum += factors[channel * SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_CLASSES + k] * sums[k][column];
+        sum += factors[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_FACTOR(channel, k)] * sums[k][column];
     return sum;
 }
 
@@ -1699,7 +1937,7 @@ static inline int skylight_sh_4_bands_0_1pct_packed_evaluate_gradient(
     double powers[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BANDS],
         power_slopes[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BANDS];
     skylight_sh_4_bands_0_1pct_packed_real cosines[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BANDS],
-        sines[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BANDS];
+        sines[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_BANDS], of_x, of_y;
     int axis, channel, i, l, m, sunk = 0;
     const int status =
         skylight_sh_4_bands_0_1pct_packed_evaluate(rows, inputs, azimuth,
@@ -1732,8 +1970,9 @@ static inline int skylight_sh_4_bands_0_1pct_packed_evaluate_gradient(
             power_slopes[m] = (double)m * powers[m - 1] * sine[1];
         }
     }
-    skylight_sh_4_bands_0_1pct_packed_waves((skylight_sh_4_bands_0_1pct_packed_real)azimuth, 1,
-        cosines, sines);
+    skylight_sh_4_bands_0_1pct_packed_circle((skylight_sh_4_bands_0_1pct_packed_real)azimuth, &of_x,
+        &of_y);
+    skylight_sh_4_bands_0_1pct_packed_waves(of_x, of_y, 1, cosines, sines);
     skylight_sh_4_bands_0_1pct_packed_sum_double(rows, functions, sums);
     for (axis = 0; axis < SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_AXES; ++axis) {
         double kept[SKYLIGHT_SH_4_BANDS_0_1PCT_PACKED_MOST];

@@ -31,7 +31,7 @@
  *   Define SKYLIGHT_SH_4_BANDS_0_1PCT_EXPOSURE before this file (where it holds the table) to
  *   multiply all weights (1 by default).
  *
- * Accuracy, as shipped: E_mean 0.097 %, E_max 0.278 % of the least luminance of the same sky, at
+ * Accuracy, as shipped: E_mean 0.095 %, E_max 0.264 % of the least luminance of the same sky, at
  * azimuth 0.
  * The expansion rings: the least value it takes, over all directions and measured sets, is -12.5 %
  * of its largest in the same set; the window below tames it.
@@ -61,7 +61,7 @@ SKYLIGHT_SH_4_BANDS_0_1PCT_IMPLEMENTATION beside it in one."
 #endif
 
 #ifndef SKYLIGHT_SH_4_BANDS_0_1PCT_H
-#define SKYLIGHT_SH_4_BANDS_0_1PCT_H 0x31682f93
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_H 0x73a811e1
 
 #include <math.h>
 #include <stdint.h>
@@ -87,8 +87,8 @@ SKYLIGHT_SH_4_BANDS_0_1PCT_IMPLEMENTATION beside it in one."
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_CHANNELS 3
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_AXES 2
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_UNIT "cd/m2"
-#define SKYLIGHT_SH_4_BANDS_0_1PCT_E_MEAN 9.701000e-04
-#define SKYLIGHT_SH_4_BANDS_0_1PCT_E_MAX 2.779000e-03
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_E_MEAN 9.504000e-04
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_E_MAX 2.640000e-03
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_SUN_ZENITH_MIN 0.0f
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_SUN_ZENITH_MAX 1.57079637f
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_TURBIDITY_MIN 2.5f
@@ -133,7 +133,7 @@ SKYLIGHT_SH_4_BANDS_0_1PCT_API void skylight_sh_4_bands_0_1pct_ground(const floa
 SKYLIGHT_SH_4_BANDS_0_1PCT_API void skylight_sh_4_bands_0_1pct_window(int bands,
     float weights[SKYLIGHT_SH_4_BANDS_0_1PCT_CHANNELS][SKYLIGHT_SH_4_BANDS_0_1PCT_WEIGHTS]);
 
-#elif SKYLIGHT_SH_4_BANDS_0_1PCT_H != 0x31682f93
+#elif SKYLIGHT_SH_4_BANDS_0_1PCT_H != 0x73a811e1
 #error "Another table has the prefix skylight_sh_4_bands_0_1pct_4_bands_0_1pct already: export one \
 of them under a prefix of its own."
 #endif /* SKYLIGHT_SH_4_BANDS_0_1PCT_H */
@@ -142,6 +142,132 @@ of them under a prefix of its own."
     defined(SKYLIGHT_SH_4_BANDS_0_1PCT_IMPLEMENTATION)) && \
     !defined(SKYLIGHT_SH_4_BANDS_0_1PCT_DEFINED)
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_DEFINED
+
+/* Numbers side by side where the compiler has vector types: as many as the processor's registers
+   hold, and four. */
+#if defined(__GNUC__) && (defined(__SSE__) || defined(__ARM_NEON) || defined(__ALTIVEC__) || \
+                          defined(__wasm_simd128__) || defined(__loongarch_sx))
+#if defined(__AVX512F__)
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_LANES 16
+#elif defined(__AVX__)
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_LANES 8
+#else
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_LANES 4
+#endif
+#endif
+/* What is worth its place in every caller; what lies at the start of a cache line. */
+#ifdef __GNUC__
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_INLINE static inline __attribute__((always_inline))
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_ALIGNED __attribute__((aligned(64)))
+#else
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_INLINE static inline
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_ALIGNED
+#endif
+#ifdef SKYLIGHT_SH_4_BANDS_0_1PCT_LANES
+#ifdef __FMA__
+/* One operation for a product and a sum, which standard C may not choose by itself. */
+#include <immintrin.h>
+#endif
+typedef float skylight_sh_4_bands_0_1pct_lanes __attribute__((vector_size(4 *
+    SKYLIGHT_SH_4_BANDS_0_1PCT_LANES)));
+typedef float skylight_sh_4_bands_0_1pct_four __attribute__((vector_size(16)));
+typedef int skylight_sh_4_bands_0_1pct_order __attribute__((vector_size(16)));
+
+/* The same number in all places: v - 0 is v, which 0 + v need not be. */
+static inline skylight_sh_4_bands_0_1pct_lanes skylight_sh_4_bands_0_1pct_spread(float v)
+{
+    const skylight_sh_4_bands_0_1pct_lanes zeros = {0};
+    return v - zeros;
+}
+
+static inline skylight_sh_4_bands_0_1pct_lanes skylight_sh_4_bands_0_1pct_load(const float *from)
+{
+    skylight_sh_4_bands_0_1pct_lanes v;
+    memcpy(&v, from, sizeof v);
+    return v;
+}
+
+/* a * b + c. */
+static inline skylight_sh_4_bands_0_1pct_lanes
+    skylight_sh_4_bands_0_1pct_add(skylight_sh_4_bands_0_1pct_lanes a,
+    skylight_sh_4_bands_0_1pct_lanes b,
+                                                skylight_sh_4_bands_0_1pct_lanes c)
+{
+#if defined(__FMA__) && SKYLIGHT_SH_4_BANDS_0_1PCT_LANES == 16
+    return _mm512_fmadd_ps(a, b, c);
+#elif defined(__FMA__) && SKYLIGHT_SH_4_BANDS_0_1PCT_LANES == 8
+    return _mm256_fmadd_ps(a, b, c);
+#else
+    return a * b + c;
+#endif
+}
+
+static inline skylight_sh_4_bands_0_1pct_four skylight_sh_4_bands_0_1pct_spread_four(float v)
+{
+    const skylight_sh_4_bands_0_1pct_four zeros = {0};
+    return v - zeros;
+}
+
+static inline skylight_sh_4_bands_0_1pct_four skylight_sh_4_bands_0_1pct_load_four(const float
+    *from)
+{
+    skylight_sh_4_bands_0_1pct_four v;
+    memcpy(&v, from, sizeof v);
+    return v;
+}
+
+static inline skylight_sh_4_bands_0_1pct_four
+    skylight_sh_4_bands_0_1pct_add_four(skylight_sh_4_bands_0_1pct_four a,
+    skylight_sh_4_bands_0_1pct_four b,
+                                                    skylight_sh_4_bands_0_1pct_four c)
+{
+#ifdef __FMA__
+    return _mm_fmadd_ps(a, b, c);
+#else
+    return a * b + c;
+#endif
+}
+
+/* Numbers side by side; where there are fewer than four, the last again. */
+static inline skylight_sh_4_bands_0_1pct_four skylight_sh_4_bands_0_1pct_quadruple(float a, float b,
+    float c, float d)
+{
+    const skylight_sh_4_bands_0_1pct_four v = {a, b, c, d};
+    return v;
+}
+
+static inline skylight_sh_4_bands_0_1pct_four skylight_sh_4_bands_0_1pct_triple(float a, float b,
+    float c)
+{
+    return skylight_sh_4_bands_0_1pct_quadruple(a, b, c, c);
+}
+
+static inline skylight_sh_4_bands_0_1pct_four skylight_sh_4_bands_0_1pct_pair(float a, float b)
+{
+    return skylight_sh_4_bands_0_1pct_quadruple(a, b, b, b);
+}
+
+static inline void skylight_sh_4_bands_0_1pct_keep(float *to, skylight_sh_4_bands_0_1pct_four v)
+{
+    memcpy(to, &v, sizeof v);
+}
+
+/* Four of the eight numbers of two vectors. */
+#ifdef __clang__
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PICK(v, w, a, b, c, d) __builtin_shufflevector(v, w, a, b, c, d)
+#else
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_PICK(v, w, a, b, c, d) skylight_sh_4_bands_0_1pct_pick(v, w, a, \
+    b, c, d)
+static inline skylight_sh_4_bands_0_1pct_four
+    skylight_sh_4_bands_0_1pct_pick(skylight_sh_4_bands_0_1pct_four v,
+    skylight_sh_4_bands_0_1pct_four w, int a,
+                                                int b, int c, int d)
+{
+    const skylight_sh_4_bands_0_1pct_order order = {a, b, c, d};
+    return __builtin_shuffle(v, w, order);
+}
+#endif
+#endif
 
 typedef float skylight_sh_4_bands_0_1pct_real;
 
@@ -172,8 +298,11 @@ static const skylight_sh_4_bands_0_1pct_real
 /* Classes; a row's numbers, one a sum, and those of the first 1, 2, ..
    bands; room for a class's sums. */
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_CLASSES 3
-#define SKYLIGHT_SH_4_BANDS_0_1PCT_OTHER_CLASSES(CLASS) CLASS(1) CLASS(2)
-#define SKYLIGHT_SH_4_BANDS_0_1PCT_FACTORS 9
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_ALL_CLASSES(CLASS) CLASS(0) CLASS(1) CLASS(2)
+/* What multiplies the sum of a class for a channel; the channels side by
+   side, in fours. */
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_FACTORS 12
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_FACTOR(channel, class_) ((class_) * 4 + (channel))
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_WIDTH 10
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_WIDTHS { 1, 3, 6, 10 }
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_ROOM 16
@@ -215,6 +344,11 @@ static const skylight_sh_4_bands_0_1pct_real
         2, 3)) \
     CLASS(2, NOTHING POLYNOMIAL(38, 7, 0) POLYNOMIAL(45, 5, 1) POLYNOMIAL(50, 4, 2) POLYNOMIAL(54, \
         2, 3) POLYNOMIAL(56, 1, 4))
+/* Of each class the longest polynomial's rows, and how many those of the
+   classes before have. */
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_LONGEST { 7, 5, 7 }
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_BEFORE { 0, 7, 12 }
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_SHARED 19
 /* Where sums go: of each degree, the first column, or -1 where it carries
    nothing. */
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_COLUMNS { 0, 1, 3, 6 }
@@ -229,191 +363,248 @@ static const skylight_sh_4_bands_0_1pct_real
 
 /* Of each class, a row a term (functions of the other axes, then of the
    first): its number for every sum. */
+SKYLIGHT_SH_4_BANDS_0_1PCT_ALIGNED
 static const skylight_sh_4_bands_0_1pct_real skylight_sh_4_bands_0_1pct_rows[576] = {
-    2.7124362f, 2.21585202f, 1.31195009f, -0.313797712f, 1.19364631f, 0.829740047f, -1.21035659f,
-    0.110614657f, 0.798364878f, 0.464649796f, -0.213375807f, -0.540414095f, -0.260416985f,
-    -0.670775056f, -0.701071501f, -0.122739792f, -0.251386404f, -0.882073402f, -0.483754277f,
-    -0.0610985756f, -0.134997368f, 0.0420582294f, -0.150962114f, 0.427953482f, 0.0335059166f,
-    -0.110914469f, 0.562801361f, 0.488120794f, 0.0124864578f, -0.0777790546f, -0.0151252747f,
-    0.0306301117f, -0.0308747292f, 0.0161075592f, 0.0416841507f, -0.031870842f, -0.196993828f,
-    0.0320243835f, 0.0340051651f, -0.0278658867f, 0.00394916534f, 0.00535869598f, -0.00347137451f,
-    -0.0138244629f, 0.0104608536f, -0.0100002289f, -0.0165729523f, -0.0107622147f, 0.012471199f,
-    -0.0140094757f, 0.00616264343f, -0.00075340271f, 0.00672912598f, -0.00870132446f,
-    0.000480651855f, 0.00207519531f, 0.004322052f, -0.00896835327f, 0.00194740295f, -0.00408363342f,
-    0.00457000732f, -0.000679016113f, 0.0105400085f, -0.00531768799f, -0.00116729736f,
-    0.0133743286f, 0.00232315063f, -0.010597229f, -0.00152206421f, 0.0156745911f, 0.590282559f,
-    0.676031828f, 0.255402327f, 0.299941301f, 0.29779923f, 0.0698299408f, -0.0701960325f,
-    0.145169139f, 0.119231105f, 0.0452047586f, -0.185345054f, -0.233470082f, -0.132209778f,
-    -0.150494695f, -0.208876491f, -0.0953037739f, -0.0441274643f, -0.196712613f, -0.151517391f,
-    -0.0600045919f, 0.0188615322f, 0.0612096786f, 0.0189878941f, 0.112552881f, 0.0808038712f,
-    0.0141355991f, 0.120949268f, 0.156141043f, 0.0644230843f, 0.00939750671f, 0.0166096687f,
-    0.00238370895f, 0.0210504532f, -0.0451130867f, 0.00333309174f, 0.0174069405f, -0.0920910835f,
-    -0.0582962036f, 0.00362110138f, 0.0143737793f, 0.000616073608f, -0.00362300873f, 0.00195598602f,
-    -0.0033082962f, -0.00497531891f, 0.00279521942f, 0.0182828903f, -0.00632667542f,
-    -0.00430774689f, 0.00399971008f, -0.00173377991f, -0.00108909607f, -0.00281906128f,
-    0.00294685364f, -0.00183868408f, -0.00335884094f, 0.00448226929f, 0.00482559204f,
-    -0.00259208679f, -0.00372505188f, -0.134657145f, -0.127782583f, -0.0718622208f, 0.000568628311f,
-    -0.0873022079f, -0.07422328f, 0.0964183807f, -0.0368335247f, -0.0866100788f, -0.0393373966f,
-    0.0130524635f, 0.0343756676f, 0.0526247025f, 0.0457420349f, 0.0902233124f, 0.027053833f,
-    0.0209581852f, 0.0867109299f, 0.0608901978f, 0.0195801258f, 0.0152258873f, -0.00446033478f,
-    0.0195326805f, -0.0469250679f, -0.00335502625f, 0.0161075592f, -0.0615348816f, -0.0556921959f,
-    -0.00366544724f, 0.0128517151f, -0.00621414185f, -0.00756549835f, -0.00638961792f,
-    0.0017080307f, -0.0113048553f, -0.00394916534f, 0.0219984055f, -0.00109672546f, -0.0103158951f,
-    -0.00287818909f, -0.00322723389f, 0.000337600708f, -0.00507354736f, 0.00705528259f,
-    0.00108337402f, -0.00528335571f, 0.00443458557f, 0.0103816986f, 0.000881195068f,
-    -0.00435066223f, 0.0278086662f, 0.01176548f, 0.0143904686f, -0.0269675255f, 0.00646352768f,
-    0.00450754166f, -0.0295529366f, -0.012778759f, 0.00200796127f, 0.00347852707f, 0.00576400757f,
-    0.00629281998f, 0.00917243958f, 0.00317764282f, 0.0117835999f, 0.00508451462f, 0.0017580986f,
-    0.00893449783f, 0.00697946548f, 0.00334072113f, -0.00569152832f, -0.00664901733f,
-    -0.00774478912f, -0.00435829163f, -0.00988578796f, -0.00668716431f, -0.00407409668f,
-    -0.00729084015f, -0.0094833374f, -0.00558948517f, -0.00165939331f, 0.00036239624f,
-    -0.000303268433f, 0.00443649292f, 0.00226783752f, 0.000684738159f, 0.00585746765f,
-    0.00552940369f, 0.00312042236f, 0.000961303711f, 0.0071849823f, 0.0087184906f, 0.00180912018f,
-    0.00375461578f, 0.00266265869f, -0.00241279602f, -0.00320529938f, 0.00194644928f,
-    -0.000852584839f, -0.00120353699f, 0.00426673889f, 0.00343132019f, 0.00126266479f,
-    -0.000455856323f, 0.000778198242f, 0.000185012817f, -0.00178146362f, -0.000230789185f,
-    -0.000137329102f, 0.000259399414f, 0.00533103943f, -0.0037343502f, 0.0435259342f,
-    -0.00989878178f, 0.033434391f, 0.0242693424f, 0.0052382946f, -0.00258696079f, 0.0164576769f,
-    0.00688791275f, -0.00541806221f, -0.0168708563f, -0.00788223743f, -0.0223702192f,
-    -0.0174504519f, -0.000940084457f, -0.00901937485f, -0.0178712606f, -0.00477004051f,
-    0.000405311584f, -0.000660419464f, 0.00507950783f, 0.00119924545f, 0.0113754272f,
-    0.00520706177f, 0.00224709511f, 0.00826501846f, 0.00704169273f, 0.00375413895f, 0.00285625458f,
-    0.000104904175f, 8.34465027e-05f, -3.6239624e-05f, -0.00145816803f, -0.000382900238f,
-    0.000132083893f, -0.00434350967f, -0.0022110939f, -0.000572681427f, 0.000559329987f,
-    -0.000340461731f, -0.000555992126f, -0.00128364563f, 0.000150680542f, -0.00114059448f,
-    -0.00162315369f, 0.00167751312f, 0.00104045868f, -0.00124645233f, -0.00189971924f,
-    -0.00497376919f, -0.0163593292f, 0.0231972933f, -0.0215802193f, 0.0191918612f, 0.0231529474f,
-    -0.00647640228f, -0.000483512878f, 0.0190618038f, 0.011103034f, 0.00286638737f, -0.0067691803f,
-    -0.00313031673f, -0.0177000761f, -0.0144264698f, 0.00240051746f, -0.0104478598f, -0.0211919546f,
-    -0.0059312582f, 0.0025832653f, -0.00264334679f, 0.00222873688f, -0.00361156464f, 0.0109550953f,
-    0.000408649445f, -0.00278544426f, 0.0127549171f, 0.00928092003f, -0.000699043274f,
-    -0.00186467171f, -0.0016374588f, -0.0001912117f, -0.00289344788f, 0.0011715889f,
-    -0.000384807587f, -0.00296497345f, -0.00230550766f, 0.002161026f, -0.000288963318f,
-    -0.00290822983f, -0.00145173073f, -0.00660395622f, 0.00730085373f, -0.0115795135f,
-    0.00573635101f, 0.00906562805f, -0.00873017311f, -0.00129842758f, 0.00864839554f,
-    0.00507998466f, 0.00185036659f, -0.00013422966f, -0.0028655529f, -0.00374889374f,
-    -0.00645947456f, -0.00151586533f, -0.00372934341f, -0.00775766373f, -0.00447630882f,
-    -0.000998735428f, -0.00167512894f, 8.82148743e-05f, -0.00229215622f, 0.00391483307f,
-    -0.000205993652f, -0.00184011459f, 0.0051984787f, 0.00421714783f, 2.47955322e-05f,
-    -0.00138807297f, 0.000341892242f, 4.529953e-05f, 0.00237846375f, -0.000927448273f,
-    0.00233459473f, 0.00204086304f, -0.00168609619f, 0.000307559967f, 0.00221776962f,
-    0.000885486603f, -0.000108242035f, -0.000452041626f, -0.00146818161f, -0.000773429871f,
-    -0.00203609467f, -0.00100564957f, -0.000607967377f, -0.00135755539f, -0.00128173828f,
-    -0.00044631958f, 0.281075239f, 0.345031381f, -0.00582289696f, 0.183007598f, 0.040375948f,
-    -0.0399700403f, -0.0191358328f, 0.0822931528f, -0.0139988661f, -0.0410817862f, -0.0740183592f,
-    -0.0650317669f, -0.0679469109f, -0.011174202f, -0.0476871729f, -0.0395920277f, -0.00590753555f,
-    0.00880348682f, -0.0120105743f, -0.0258899927f, 0.0217177868f, 0.0293147564f, 0.026006937f,
-    0.0165324211f, 0.0352728367f, 0.0192368031f, -0.00347757339f, 0.0121452808f, 0.0278131962f,
-    0.0134551525f, 0.0147399902f, 0.00022649765f, 0.0186033249f, -0.0258669853f, 0.000162601471f,
-    0.0150465965f, -0.0203442574f, -0.0310344696f, 0.000360012054f, 0.0115976334f, 0.00323200226f,
-    -0.00230407715f, 0.00571155548f, -0.00434780121f, -0.00405693054f, 0.00660896301f,
-    0.00922393799f, -0.00711345673f, -0.00371932983f, 0.00674152374f, -0.00149154663f,
-    -0.000915527344f, -0.000848770142f, 0.00183486938f, -0.00162124634f, 0.00112915039f,
-    0.00228118896f, 0.00104904175f, -0.00158309937f, 0.00335884094f, -0.00172042847f,
-    -0.000232696533f, -0.00345993042f, 0.0020904541f, -0.000366210938f, -0.00450897217f,
-    0.000377655029f, 0.00395584106f, -0.000709533691f, -0.00539016724f, 0.0322675705f,
-    0.0691577196f, 0.00139284134f, 0.0909537077f, 0.00962483883f, -0.00391817093f, 0.0656663179f,
-    0.0212687254f, -0.00623571873f, -0.00631856918f, -0.0146280527f, -0.0239857435f,
-    -0.00237560272f, -0.0237472057f, -0.00661051273f, 0.00456869602f, -0.014877677f,
-    -0.00975704193f, 0.00528621674f, 0.00519239902f, 0.0118265152f, 0.0127754211f, 0.0128464699f,
-    0.00450563431f, 0.0118978024f, 0.00949287415f, -0.000692605972f, -0.000374317169f,
-    0.00700831413f, 0.00730037689f, -0.00236654282f, -0.00388383865f, -0.00324487686f,
-    -0.00414133072f, -0.00556945801f, -0.00252389908f, -0.00264787674f, -0.00530576706f,
-    -0.00488090515f, -0.00164794922f, -0.00242042542f, -0.000824928284f, -0.0037021637f,
-    0.00360298157f, -0.00109195709f, -0.00373935699f, 0.00489997864f, 0.00527381897f,
-    -0.00098323822f, -0.00368213654f, -0.0311253071f, -0.0393595695f, 0.00351238251f,
-    -0.0198774338f, -0.000370979309f, 0.00714731216f, 0.00938034058f, -0.00574421883f,
-    0.00380277634f, 0.00476980209f, 0.00540423393f, 0.00275588036f, 0.00484800339f, -0.00388360023f,
-    0.00293922424f, 0.00302195549f, -0.00456929207f, -0.00175094604f, 0.000806093216f,
-    0.00214743614f, -0.00232553482f, -0.00140523911f, -0.00315332413f, 0.00124073029f,
-    -0.00237035751f, -0.00308132172f, 0.00151729584f, 0.000660419464f, -0.00264787674f,
-    -0.00280427933f, -0.00157356262f, -0.000809669495f, -0.00186157227f, 0.00142383575f,
-    -0.000557899475f, -0.00121116638f, 0.002368927f, 0.00220012665f, 8.96453857e-05f,
-    -0.00070476532f, 0.00497722626f, 0.00208950043f, 0.00306272507f, -0.00564718246f, 0.0027551651f,
-    0.00264215469f, -0.00775766373f, -0.000204086304f, 0.00269794464f, 0.00109195709f,
-    0.000230789185f, -4.72068787e-05f, -0.00154924393f, -0.000472545624f, -0.00182914734f,
-    -0.00113201141f, -0.000292778015f, -0.000575065613f, -0.00139951706f, -0.000593185425f,
-    0.00106334686f, 0.00137138367f, 0.0003490448f, 0.000767707825f, 0.000218391418f,
-    0.000193595886f, -0.000268936157f, -9.05990601e-05f, 7.34329224e-05f, 0.000146865845f, 0.0f,
-    0.0f, 0.0f, 0.0f, 0.0f, 0.0f
+    2.71238852f, 2.21581507f, 1.31192231f, -0.313789606f, 1.19359779f, 0.829718828f, -1.210361f,
+    0.110610008f, 0.798311949f, 0.464634299f, -0.213399291f, -0.540404916f, -0.260360956f,
+    -0.670744181f, -0.701076746f, -0.122634053f, -0.25143683f, -0.88206923f, -0.48377502f,
+    -0.0611184835f, -0.13492322f, 0.0421459675f, -0.150904179f, 0.428036928f, 0.0337424278f,
+    -0.110878229f, 0.562966347f, 0.488203287f, 0.0126831532f, -0.0777184963f, -0.0150713921f,
+    0.0305986404f, -0.031024456f, 0.0160412788f, 0.0415167809f, -0.03185606f, -0.196829319f,
+    0.0319404602f, 0.0335526466f, -0.0269761086f, 0.00399112701f, 0.00531101227f, -0.0034122467f,
+    -0.0140705109f, 0.0103168488f, -0.0101680756f, -0.0168476105f, -0.0109109879f, 0.0129079819f,
+    -0.0146970749f, 0.00615692139f, -0.000719070435f, 0.00679397583f, -0.00868034363f,
+    0.000745773315f, 0.00152778625f, 0.00420379639f, -0.00884628296f, 0.00266838074f,
+    -0.00598907471f, 0.00449371338f, -0.000705718994f, 0.0104980469f, -0.00517272949f,
+    -0.00132369995f, 0.0139923096f, 0.00246429443f, -0.0105819702f, -0.0023651123f, 0.0173835754f,
+    0.59029448f, 0.676040053f, 0.255483985f, 0.299971104f, 0.297822952f, 0.0699031353f,
+    -0.070114851f, 0.14514792f, 0.119241357f, 0.0452320576f, -0.185450554f, -0.233619094f,
+    -0.132263303f, -0.150574923f, -0.208929896f, -0.095330596f, -0.0440937281f, -0.196707964f,
+    -0.151525617f, -0.0600075722f, 0.0188360214f, 0.0612418652f, 0.018995285f, 0.112659693f,
+    0.0809957981f, 0.0143153667f, 0.120956898f, 0.15640831f, 0.0647790432f, 0.0095872879f,
+    0.0169754028f, 0.00265693665f, 0.0210747719f, -0.0451569557f, 0.00315475464f, 0.0173926353f,
+    -0.092010498f, -0.0585074425f, 0.00334787369f, 0.0142116547f, 0.000598907471f, -0.00364112854f,
+    0.00199699402f, -0.00333213806f, -0.00500679016f, 0.00283050537f, 0.0183115005f,
+    -0.00649261475f, -0.00413513184f, 0.00441646576f, -0.00191497803f, -0.0011806488f,
+    -0.00284767151f, 0.00302124023f, -0.00172996521f, -0.00351142883f, 0.00433540344f,
+    0.00500488281f, -0.00277900696f, -0.00414657593f, -0.134479523f, -0.127682209f, -0.0718135834f,
+    0.000474691391f, -0.0872395039f, -0.0741841793f, 0.096414566f, -0.0368559361f, -0.0865311623f,
+    -0.0393240452f, 0.0130307674f, 0.0343577862f, 0.0525233746f, 0.0457515717f, 0.0902729034f,
+    0.0268249512f, 0.0210380554f, 0.0867609978f, 0.060993433f, 0.0194747448f, 0.0151338577f,
+    -0.00450515747f, 0.0194916725f, -0.0468716621f, -0.00346565247f, 0.0160770416f, -0.0617084503f,
+    -0.0555758476f, -0.003947258f, 0.0127687454f, -0.00624847412f, -0.00757026672f, -0.00611591339f,
+    0.0017375946f, -0.0113430023f, -0.00321388245f, 0.0219268799f, -0.0012588501f, -0.0103530884f,
+    -0.00249958038f, -0.00316810608f, 0.000370025635f, -0.00525474548f, 0.00701141357f,
+    0.00116539001f, -0.00582122803f, 0.00455856323f, 0.0104064941f, 0.0010509491f, -0.00458335876f,
+    0.0278244019f, 0.0117092133f, 0.0141711235f, -0.0271878242f, 0.00630140305f, 0.00430583954f,
+    -0.0297956467f, -0.0128908157f, 0.0018491745f, 0.0034070015f, 0.00580072403f, 0.0064406395f,
+    0.00925111771f, 0.00331401825f, 0.0119533539f, 0.00507211685f, 0.00167608261f, 0.00897455215f,
+    0.00704193115f, 0.00332784653f, -0.00565242767f, -0.00666236877f, -0.00778865814f,
+    -0.00443649292f, -0.00999832153f, -0.00714874268f, -0.0041103363f, -0.00733470917f,
+    -0.00995063782f, -0.00622272491f, -0.00179672241f, 0.000165939331f, -0.000312805176f,
+    0.00435256958f, 0.00219726562f, 0.00112533569f, 0.00596237183f, 0.00547599792f, 0.00346755981f,
+    0.00154876709f, 0.00705909729f, 0.00865840912f, 0.00180053711f, 0.00383758545f, 0.00263881683f,
+    -0.00241565704f, -0.00319385529f, 0.00193977356f, -0.000880241394f, -0.00118637085f,
+    0.00424003601f, 0.0034828186f, 0.00139808655f, -0.000261306763f, 0.000902175903f,
+    0.000335693359f, -0.00161170959f, -0.000123977661f, 1.52587891e-05f, 0.000343322754f,
+    0.00534439087f, -0.00372612476f, 0.0435285568f, -0.00990760326f, 0.0334399939f, 0.0242645741f,
+    0.00523006916f, -0.00259172916f, 0.0164595842f, 0.00689196587f, -0.00539767742f, -0.0168577433f,
+    -0.00786375999f, -0.0223767757f, -0.0174193382f, -0.000958561897f, -0.00902915001f,
+    -0.0178602934f, -0.00473725796f, 0.000396728516f, -0.000698566437f, 0.00504779816f,
+    0.00118541718f, 0.0113964081f, 0.00509858131f, 0.00230121613f, 0.00830411911f, 0.00698494911f,
+    0.00362420082f, 0.00286507607f, 8.10623169e-05f, 6.91413879e-05f, -4.95910645e-05f,
+    -0.00145101547f, -0.000415802002f, 0.000207901001f, -0.00434350967f, -0.00221824646f,
+    -0.000622272491f, 0.00070476532f, -0.000326156616f, -0.000532150269f, -0.00128936768f,
+    0.000152587891f, -0.00102996826f, -0.00175285339f, 0.00165271759f, 0.00111103058f,
+    -0.00110149384f, -0.00206851959f, -0.00497066975f, -0.0163595676f, 0.0231803656f,
+    -0.0215880871f, 0.0191851854f, 0.023126483f, -0.00649189949f, -0.000476002693f, 0.0190577507f,
+    0.0110857487f, 0.0028475523f, -0.0067858696f, -0.00311303139f, -0.0176901817f, -0.0144392252f,
+    0.00241208076f, -0.010432601f, -0.0212219954f, -0.00594127178f, 0.00256979465f, -0.00263690948f,
+    0.00223088264f, -0.00360512733f, 0.0109541416f, 0.000373125076f, -0.00271463394f, 0.0127630234f,
+    0.00922966003f, -0.000742197037f, -0.00182533264f, -0.00165939331f, -0.000185012817f,
+    -0.00290060043f, 0.00119161606f, -0.00031709671f, -0.00303506851f, -0.00232696533f,
+    0.00223064423f, -0.000224590302f, -0.00292873383f, -0.00147104263f, -0.00661540031f,
+    0.00729441643f, -0.0115680695f, 0.00574088097f, 0.00906515121f, -0.00871801376f,
+    -0.00128006935f, 0.00865888596f, 0.00506877899f, 0.00184488297f, -0.00014090538f,
+    -0.00289583206f, -0.00374937057f, -0.00648403168f, -0.00154852867f, -0.00371479988f,
+    -0.00774812698f, -0.00450110435f, -0.00107121468f, -0.00164604187f, 9.53674316e-05f,
+    -0.00224208832f, 0.00388288498f, -0.000186443329f, -0.00178623199f, 0.00517940521f,
+    0.00417566299f, 5.19752502e-05f, -0.00128555298f, 0.000331401825f, 4.10079956e-05f,
+    0.00239610672f, -0.000916957855f, 0.00234937668f, 0.00205993652f, -0.00166940689f,
+    0.000311374664f, 0.00222635269f, 0.000892162323f, -7.67707825e-05f, -0.000447273254f,
+    -0.00149011612f, -0.000801086426f, -0.00206422806f, -0.00101423264f, -0.000601768494f,
+    -0.00134944916f, -0.00129747391f, -0.000435352325f, 0.281093359f, 0.345053792f, -0.00581765175f,
+    0.183012843f, 0.0403904915f, -0.0399740934f, -0.0191611052f, 0.0823024511f, -0.0140016079f,
+    -0.0410808325f, -0.0739955902f, -0.0650169849f, -0.0679736137f, -0.011179924f, -0.0476770401f,
+    -0.0396084785f, -0.00589478016f, 0.00881016254f, -0.0119504929f, -0.0258568525f, 0.0217454433f,
+    0.0292849541f, 0.0261311531f, 0.0165171623f, 0.035223484f, 0.0193450451f, -0.00333666801f,
+    0.0120134354f, 0.027793169f, 0.0134952068f, 0.0147042274f, 0.000166893005f, 0.0187425613f,
+    -0.0259237289f, 0.000230789185f, 0.0150108337f, -0.0203986168f, -0.0310287476f, 0.000324249268f,
+    0.0111365318f, 0.00304698944f, -0.00233078003f, 0.00526332855f, -0.0042591095f, -0.0041809082f,
+    0.00640010834f, 0.00907611847f, -0.00689125061f, -0.00390911102f, 0.00698471069f,
+    -0.00149154663f, -0.000883102417f, -0.000959396362f, 0.0018901825f, -0.001745224f,
+    0.00136566162f, 0.0023059845f, 0.000980377197f, -0.00164604187f, 0.00428199768f,
+    -0.00159072876f, -0.000186920166f, -0.00315093994f, 0.00204467773f, -0.000148773193f,
+    -0.0046043396f, 0.000423431396f, 0.00392913818f, -0.000450134277f, -0.00618743896f,
+    0.0322566032f, 0.0691447258f, 0.00137209892f, 0.0909401178f, 0.00962138176f, -0.00395584106f,
+    0.0656417608f, 0.0212816f, -0.00624036789f, -0.00634872913f, -0.0146454573f, -0.0239897966f,
+    -0.00233650208f, -0.0237193108f, -0.00657737255f, 0.00457644463f, -0.0148707628f,
+    -0.00976586342f, 0.00534105301f, 0.00516021252f, 0.0118439198f, 0.0127570629f, 0.0128839016f,
+    0.00446438789f, 0.0118193626f, 0.00961971283f, -0.00063085556f, -0.000491380692f,
+    0.00691151619f, 0.00736904144f, -0.00237035751f, -0.00387620926f, -0.003262043f,
+    -0.00415372849f, -0.0055603981f, -0.00249862671f, -0.00269079208f, -0.00527381897f,
+    -0.00492191315f, -0.00148010254f, -0.00243759155f, -0.000801086426f, -0.0037279129f,
+    0.00365638733f, -0.0010175705f, -0.00386714935f, 0.00484657288f, 0.00534915924f,
+    -0.000866889954f, -0.00386619568f, -0.0311729908f, -0.0394289494f, 0.00346827507f,
+    -0.0199248791f, -0.000406742096f, 0.00712037086f, 0.00941801071f, -0.00575137138f,
+    0.00381731987f, 0.00474405289f, 0.00539374352f, 0.00275969505f, 0.00484395027f, -0.00386571884f,
+    0.00292825699f, 0.00299715996f, -0.00458264351f, -0.00172615051f, 0.00074672699f,
+    0.00209832191f, -0.00228595734f, -0.00138902664f, -0.0030579567f, 0.00120544434f,
+    -0.00234365463f, -0.00299787521f, 0.00147247314f, 0.000589847565f, -0.00260066986f,
+    -0.00280857086f, -0.00156116486f, -0.000806808472f, -0.00192260742f, 0.00142192841f,
+    -0.000566482544f, -0.00125312805f, 0.00240707397f, 0.00222587585f, 0.000102043152f,
+    -0.000636100769f, 0.004986763f, 0.0021033287f, 0.00308275223f, -0.00563097f, 0.0027680397f,
+    0.00267219543f, -0.00773668289f, -0.000203132629f, 0.00270938873f, 0.00111293793f,
+    0.000244140625f, -5.86509705e-05f, -0.00159072876f, -0.000493526459f, -0.00187349319f,
+    -0.00116825104f, -0.000262737274f, -0.000560760498f, -0.00143575668f, -0.00060749054f,
+    0.00108242035f, 0.00141334534f, 0.000374794006f, 0.000814437866f, 0.000246047974f,
+    0.000218391418f, -0.000281333923f, -7.62939453e-05f, 6.96182251e-05f, 0.0001745224f, 0.0f, 0.0f,
+    0.0f, 0.0f, 0.0f, 0.0f
 };
 
 /* What all weights share: the closed form preetham_classes. */
-#define SKYLIGHT_SH_4_BANDS_0_1PCT_EARLY 16
-
-static inline void skylight_sh_4_bands_0_1pct_begin_factors(const skylight_sh_4_bands_0_1pct_real
-    *x, skylight_sh_4_bands_0_1pct_real *early)
+#ifdef SKYLIGHT_SH_4_BANDS_0_1PCT_LANES
+/* Equal formulas of different numbers side by side. */
+static inline void skylight_sh_4_bands_0_1pct_factors(const skylight_sh_4_bands_0_1pct_real *x,
+    skylight_sh_4_bands_0_1pct_real *out)
 {
     const float chi = (0.888888896f - x[1] * 0.0166666675f) * (1.57079637f - x[0]);
     const float square = chi * chi;
-    early[0] = 945.0f - square * (420.0f - 15.0f * square);
-    early[1] = (4045.30005f * x[1] - 4971.0f) * (chi * (945.0f - square * (105.0f - square))) +
-        (2419.19995f - 215.5f * x[1]) * early[0];
+    const float below = 945.0f - square * (420.0f - 15.0f * square);
+    const float zenith = (4045.30005f * x[1] - 4971.0f) * (chi * (945.0f - square * (105.0f -
+        square))) + (2419.19995f - 215.5f * x[1]) * below;
     const float part_1 = (-0.355399996f) * x[1] + 0.42750001f;
     const float up = 1.0f + part_1 * (0.25f + part_1 * 0.03125f);
     const float up2 = up * up;
-    early[2] = 1.0f + (0.1787f * x[1] + (-1.46300006f)) * (up2 * up2);
-    early[3] = (-0.0227000006f) * x[1] + 5.32509995f;
-    const float y = (0.1206f * x[1] + (-2.57710004f)) * x[0] * 0.25f;
-    const float halo = 1.0f + y * (0.99999845f + y * (0.499975085f + y * (0.166515172f + y *
-        (0.0412233174f + y * (0.00765432511f + y * 0.000849007862f)))));
-    early[4] = halo * halo;
+    const skylight_sh_4_bands_0_1pct_four y = (skylight_sh_4_bands_0_1pct_triple(0.1206f,
+        (-0.0640999973f), (-0.0441000015f)) * x[1] +
+        skylight_sh_4_bands_0_1pct_triple((-2.57710004f), (-0.898899972f),
+        (-1.65369999f))) * x[0] * 0.25f;
+    const skylight_sh_4_bands_0_1pct_four y2 = y * y;
+    const skylight_sh_4_bands_0_1pct_four halo = 1.0f + 0.99999845f * y + y2 * (0.499975085f +
+        0.166515172f * y + y2 * (0.0412233174f + 0.00765432511f * y + y2 * 0.000849007862f));
+    const skylight_sh_4_bands_0_1pct_four halo2 = halo * halo;
+    const skylight_sh_4_bands_0_1pct_four halo4 = halo2 * halo2;
     const float z = x[0] * x[0];
     const float cosine = 1.0f - z * (0.5f - z * 0.03125f);
     const float cosine2 = cosine * cosine;
-    early[5] = ((-0.0670000017f) * x[1] + 0.370299995f) * cosine2;
-    early[6] = ((((0.00274999999f * x[1] + (-0.0421399996f)) * x[1] + 0.153459996f) * x[0] +
-        (((-0.00609999988f) * x[1] + 0.0896999985f) * x[1] + (-0.267560005f))) * x[0] +
+    const skylight_sh_4_bands_0_1pct_four part_2 = 1.0f +
+        (skylight_sh_4_bands_0_1pct_triple((-0.0227000006f), (-0.00039999999f),
+        (-0.00789999962f)) * x[1] + skylight_sh_4_bands_0_1pct_triple(5.32509995f, 0.212500006f,
+        0.210199997f)) * halo4 + (skylight_sh_4_bands_0_1pct_triple((-0.0670000017f),
+        (-0.00329999998f), (-0.0109000001f)) * x[1] +
+        skylight_sh_4_bands_0_1pct_triple(0.370299995f, 0.0452000014f, 0.0529000014f)) * cosine2;
+    const float shape_y = (1.0f + (0.1787f * x[1] + (-1.46300006f)) * (up2 * up2)) * part_2[0];
+    const skylight_sh_4_bands_0_1pct_four y_zenith =
+        ((((skylight_sh_4_bands_0_1pct_pair(0.00274999999f,
+        0.00165999995f) * x[1] + skylight_sh_4_bands_0_1pct_pair((-0.0421399996f),
+        (-0.0290300008f))) * x[1] + skylight_sh_4_bands_0_1pct_pair(0.153459996f,
+        0.11693f)) * x[0] + ((skylight_sh_4_bands_0_1pct_pair((-0.00609999988f),
+        (-0.00374999992f)) * x[1] + skylight_sh_4_bands_0_1pct_pair(0.0896999985f,
+        0.0637700036f)) * x[1] + skylight_sh_4_bands_0_1pct_pair((-0.267560005f),
+        (-0.211960003f)))) * x[0] + ((skylight_sh_4_bands_0_1pct_pair(0.00316999992f,
+        0.00209000008f) * x[1] + skylight_sh_4_bands_0_1pct_pair((-0.0415299982f),
+        (-0.0320199989f))) * x[1] + skylight_sh_4_bands_0_1pct_pair(0.0666999966f,
+        0.0605200008f))) * x[0] + (skylight_sh_4_bands_0_1pct_pair(0.00516000018f,
+        0.0039400002f) * x[1] + skylight_sh_4_bands_0_1pct_pair(0.266880006f, 0.258859992f));
+    const float part_3 = y_zenith[0];
+    const float shape_x = (0.00249999994f * x[1] + 0.733200014f) * part_2[1];
+    const float one = zenith / (below * shape_y * part_3 * shape_x);
+    const float shape_z = (0.00992999971f * x[1] + 0.734399974f) * part_2[2];
+    const float of_x = one * y_zenith[1] * shape_z;
+    const skylight_sh_4_bands_0_1pct_four part_4 = skylight_sh_4_bands_0_1pct_triple(3.73898554f,
+        (-1.01082206f), (-1.00158179f)) * of_x;
+    skylight_sh_4_bands_0_1pct_keep(out + 4, part_4);
+    const float of_y = one * part_3 * shape_x;
+    const float of_s = one * shape_z * shape_x;
+    const skylight_sh_4_bands_0_1pct_four part_5 =
+        skylight_sh_4_bands_0_1pct_triple((-0.498531401f), 0.0415560007f, 1.05722523f) * of_s;
+    skylight_sh_4_bands_0_1pct_keep(out + 8, part_5);
+    const skylight_sh_4_bands_0_1pct_four part_6 = part_4 +
+        skylight_sh_4_bands_0_1pct_triple((-1.03860712f), 1.83445477f,
+        (-1.26125109f)) * of_y + part_5;
+    skylight_sh_4_bands_0_1pct_keep(out + 0, part_6);
+    (void)x;
+}
+
+#else
+static inline void skylight_sh_4_bands_0_1pct_factors(const skylight_sh_4_bands_0_1pct_real *x,
+    skylight_sh_4_bands_0_1pct_real *out)
+{
+    const float chi = (0.888888896f - x[1] * 0.0166666675f) * (1.57079637f - x[0]);
+    const float square = chi * chi;
+    const float below = 945.0f - square * (420.0f - 15.0f * square);
+    const float zenith = (4045.30005f * x[1] - 4971.0f) * (chi * (945.0f - square * (105.0f -
+        square))) + (2419.19995f - 215.5f * x[1]) * below;
+    const float part_1 = (-0.355399996f) * x[1] + 0.42750001f;
+    const float up = 1.0f + part_1 * (0.25f + part_1 * 0.03125f);
+    const float up2 = up * up;
+    const float y = (0.1206f * x[1] + (-2.57710004f)) * x[0] * 0.25f;
+    const float y2 = y * y;
+    const float halo = 1.0f + 0.99999845f * y + y2 * (0.499975085f + 0.166515172f * y + y2 *
+        (0.0412233174f + 0.00765432511f * y + y2 * 0.000849007862f));
+    const float halo2 = halo * halo;
+    const float halo4 = halo2 * halo2;
+    const float z = x[0] * x[0];
+    const float cosine = 1.0f - z * (0.5f - z * 0.03125f);
+    const float cosine2 = cosine * cosine;
+    const float shape_y = (1.0f + (0.1787f * x[1] + (-1.46300006f)) * (up2 * up2)) * (1.0f +
+        ((-0.0227000006f) * x[1] + 5.32509995f) * halo4 + ((-0.0670000017f) * x[1] + 0.370299995f) *
+        cosine2);
+    const float y_zenith = ((((0.00274999999f * x[1] + (-0.0421399996f)) * x[1] + 0.153459996f) *
+        x[0] + (((-0.00609999988f) * x[1] + 0.0896999985f) * x[1] + (-0.267560005f))) * x[0] +
         ((0.00316999992f * x[1] + (-0.0415299982f)) * x[1] + 0.0666999966f)) * x[0] +
         (0.00516000018f * x[1] + 0.266880006f);
-    early[7] = 0.00249999994f * x[1] + 0.733200014f;
-    early[8] = (-0.00039999999f) * x[1] + 0.212500006f;
     const float y_2 = ((-0.0640999973f) * x[1] + (-0.898899972f)) * x[0] * 0.25f;
-    const float halo_2 = 1.0f + y_2 * (0.99999845f + y_2 * (0.499975085f + y_2 * (0.166515172f + y_2
-        * (0.0412233174f + y_2 * (0.00765432511f + y_2 * 0.000849007862f)))));
-    early[9] = halo_2 * halo_2;
-    early[10] = ((-0.00329999998f) * x[1] + 0.0452000014f) * cosine2;
-    early[11] = ((((0.00165999995f * x[1] + (-0.0290300008f)) * x[1] + 0.11693f) * x[0] +
+    const float y2_2 = y_2 * y_2;
+    const float halo_2 = 1.0f + 0.99999845f * y_2 + y2_2 * (0.499975085f + 0.166515172f * y_2 + y2_2
+        * (0.0412233174f + 0.00765432511f * y_2 + y2_2 * 0.000849007862f));
+    const float halo2_2 = halo_2 * halo_2;
+    const float halo4_2 = halo2_2 * halo2_2;
+    const float shape_x = (0.00249999994f * x[1] + 0.733200014f) * (1.0f + ((-0.00039999999f) * x[1]
+        + 0.212500006f) * halo4_2 + ((-0.00329999998f) * x[1] + 0.0452000014f) * cosine2);
+    const float one = zenith / (below * shape_y * y_zenith * shape_x);
+    const float x_zenith = ((((0.00165999995f * x[1] + (-0.0290300008f)) * x[1] + 0.11693f) * x[0] +
         (((-0.00374999992f) * x[1] + 0.0637700036f) * x[1] + (-0.211960003f))) * x[0] +
         ((0.00209000008f * x[1] + (-0.0320199989f)) * x[1] + 0.0605200008f)) * x[0] + (0.0039400002f
         * x[1] + 0.258859992f);
-    early[12] = 0.00992999971f * x[1] + 0.734399974f;
-    early[13] = (-0.00789999962f) * x[1] + 0.210199997f;
     const float y_3 = ((-0.0441000015f) * x[1] + (-1.65369999f)) * x[0] * 0.25f;
-    const float halo_3 = 1.0f + y_3 * (0.99999845f + y_3 * (0.499975085f + y_3 * (0.166515172f + y_3
-        * (0.0412233174f + y_3 * (0.00765432511f + y_3 * 0.000849007862f)))));
-    early[14] = halo_3 * halo_3;
-    early[15] = ((-0.0109000001f) * x[1] + 0.0529000014f) * cosine2;
+    const float y2_3 = y_3 * y_3;
+    const float halo_3 = 1.0f + 0.99999845f * y_3 + y2_3 * (0.499975085f + 0.166515172f * y_3 + y2_3
+        * (0.0412233174f + 0.00765432511f * y_3 + y2_3 * 0.000849007862f));
+    const float halo2_3 = halo_3 * halo_3;
+    const float halo4_3 = halo2_3 * halo2_3;
+    const float shape_z = (0.00992999971f * x[1] + 0.734399974f) * (1.0f + ((-0.00789999962f) * x[1]
+        + 0.210199997f) * halo4_3 + ((-0.0109000001f) * x[1] + 0.0529000014f) * cosine2);
+    const float of_x = one * x_zenith * shape_z;
+    out[4] = 3.73898554f * of_x;
+    const float of_y = one * y_zenith * shape_x;
+    const float of_s = one * shape_z * shape_x;
+    out[8] = (-0.498531401f) * of_s;
+    out[0] = out[4] + (-1.03860712f) * of_y + out[8];
+    out[5] = (-1.01082206f) * of_x;
+    out[9] = 0.0415560007f * of_s;
+    out[1] = out[5] + 1.83445477f * of_y + out[9];
+    out[6] = (-1.00158179f) * of_x;
+    out[10] = 1.05722523f * of_s;
+    out[2] = out[6] + (-1.26125109f) * of_y + out[10];
+    out[3] = 0.0f;
+    out[7] = 0.0f;
+    out[11] = 0.0f;
     (void)x;
-    (void)early;
 }
 
-/* The rest of it. */
-static inline void skylight_sh_4_bands_0_1pct_end_factors(const skylight_sh_4_bands_0_1pct_real *x,
-    const skylight_sh_4_bands_0_1pct_real *early, skylight_sh_4_bands_0_1pct_real *out)
-{
-    const float halo4 = early[4] * early[4];
-    const float shape_y = early[2] * (1.0f + early[3] * halo4 + early[5]);
-    const float halo4_2 = early[9] * early[9];
-    const float shape_x = early[7] * (1.0f + early[8] * halo4_2 + early[10]);
-    const float one = early[1] / (early[0] * shape_y * early[6] * shape_x);
-    const float halo4_3 = early[14] * early[14];
-    const float shape_z = early[12] * (1.0f + early[13] * halo4_3 + early[15]);
-    const float of_x = one * early[11] * shape_z;
-    out[1] = 3.73898554f * of_x;
-    const float of_y = one * early[6] * shape_x;
-    const float of_s = one * shape_z * shape_x;
-    out[2] = (-0.498531401f) * of_s;
-    out[0] = out[1] + (-1.03860712f) * of_y + out[2];
-    out[4] = (-1.01082206f) * of_x;
-    out[5] = 0.0415560007f * of_s;
-    out[3] = out[4] + 1.83445477f * of_y + out[5];
-    out[7] = (-1.00158179f) * of_x;
-    out[8] = 1.05722523f * of_s;
-    out[6] = out[7] + (-1.26125109f) * of_y + out[8];
-    (void)x;
-    (void)early;
-}
+#endif /* SKYLIGHT_SH_4_BANDS_0_1PCT_LANES */
 
 /* The functions of sun_zenith (change of variable: even); 0 where there is
    none. */
@@ -427,7 +618,7 @@ static inline void skylight_sh_4_bands_0_1pct_first(const skylight_sh_4_bands_0_
     out[4] = out[1] * out[3];
     out[5] = out[1] * out[4];
     out[6] = out[1] * out[5];
-    out[7] = 0;
+    out[7] = 0.0f;
     (void)x;
 }
 
@@ -447,13 +638,13 @@ static inline void skylight_sh_4_bands_0_1pct_others(const skylight_sh_4_bands_0
 
 /* cos(m azimuth) and sin(m azimuth), m < bands, each times the m-th power
    of `radius`, by doubling. */
-static inline void skylight_sh_4_bands_0_1pct_waves(skylight_sh_4_bands_0_1pct_real azimuth,
-    skylight_sh_4_bands_0_1pct_real radius, skylight_sh_4_bands_0_1pct_real *cosines,
-    skylight_sh_4_bands_0_1pct_real *sines)
+static inline void skylight_sh_4_bands_0_1pct_waves(skylight_sh_4_bands_0_1pct_real cosine,
+    skylight_sh_4_bands_0_1pct_real sine, skylight_sh_4_bands_0_1pct_real radius,
+    skylight_sh_4_bands_0_1pct_real *cosines, skylight_sh_4_bands_0_1pct_real *sines)
 {
     cosines[0] = 1.0f;
-    cosines[1] = radius * cosf(azimuth);
-    sines[1] = radius * sinf(azimuth);
+    cosines[1] = radius * cosine;
+    sines[1] = radius * sine;
     cosines[2] = cosines[1] * cosines[1] - sines[1] * sines[1];
     sines[2] = sines[1] * cosines[1] + cosines[1] * sines[1];
     cosines[3] = cosines[1] * cosines[2] - sines[1] * sines[2];
@@ -471,6 +662,192 @@ static inline skylight_sh_4_bands_0_1pct_real skylight_sh_4_bands_0_1pct_sine(co
         ((-0.166666597f) + part_1 * (0.00833306555f + part_1 * ((-0.000198095426f) + part_1 *
         2.60563934e-06f))));
 }
+
+/* Cosine and sine of an angle of at most an eighth of a turn. */
+static inline void skylight_sh_4_bands_0_1pct_quarter(skylight_sh_4_bands_0_1pct_real angle,
+    skylight_sh_4_bands_0_1pct_real *out)
+{
+    const float part_1 = angle * angle;
+    out[0] = 1.0f - 0.5f * part_1 + part_1 * part_1 * (0.0416666456f + part_1 * ((-0.00138873665f) +
+        part_1 * 2.44383464e-05f));
+    out[1] = angle + angle * (part_1 * ((-0.166666552f) + part_1 * (0.0083321603f + part_1 *
+        (-0.00019515281f))));
+}
+
+#ifdef SKYLIGHT_SH_4_BANDS_0_1PCT_LANES
+/* The same for suns side by side. */
+static inline void skylight_sh_4_bands_0_1pct_factors_suns(const skylight_sh_4_bands_0_1pct_lanes
+    *x, skylight_sh_4_bands_0_1pct_lanes *out)
+{
+    const skylight_sh_4_bands_0_1pct_lanes chi = (0.888888896f - x[1] * 0.0166666675f) *
+        (1.57079637f - x[0]);
+    const skylight_sh_4_bands_0_1pct_lanes square = chi * chi;
+    const skylight_sh_4_bands_0_1pct_lanes below = 945.0f - square * (420.0f - 15.0f * square);
+    const skylight_sh_4_bands_0_1pct_lanes zenith = (4045.30005f * x[1] - 4971.0f) * (chi * (945.0f
+        - square * (105.0f - square))) + (2419.19995f - 215.5f * x[1]) * below;
+    const skylight_sh_4_bands_0_1pct_lanes part_1 = (-0.355399996f) * x[1] + 0.42750001f;
+    const skylight_sh_4_bands_0_1pct_lanes up = 1.0f + part_1 * (0.25f + part_1 * 0.03125f);
+    const skylight_sh_4_bands_0_1pct_lanes up2 = up * up;
+    const skylight_sh_4_bands_0_1pct_lanes y = (0.1206f * x[1] + (-2.57710004f)) * x[0] * 0.25f;
+    const skylight_sh_4_bands_0_1pct_lanes y2 = y * y;
+    const skylight_sh_4_bands_0_1pct_lanes halo = 1.0f + 0.99999845f * y + y2 * (0.499975085f +
+        0.166515172f * y + y2 * (0.0412233174f + 0.00765432511f * y + y2 * 0.000849007862f));
+    const skylight_sh_4_bands_0_1pct_lanes halo2 = halo * halo;
+    const skylight_sh_4_bands_0_1pct_lanes halo4 = halo2 * halo2;
+    const skylight_sh_4_bands_0_1pct_lanes z = x[0] * x[0];
+    const skylight_sh_4_bands_0_1pct_lanes cosine = 1.0f - z * (0.5f - z * 0.03125f);
+    const skylight_sh_4_bands_0_1pct_lanes cosine2 = cosine * cosine;
+    const skylight_sh_4_bands_0_1pct_lanes shape_y = (1.0f + (0.1787f * x[1] + (-1.46300006f)) *
+        (up2 * up2)) * (1.0f + ((-0.0227000006f) * x[1] + 5.32509995f) * halo4 + ((-0.0670000017f) *
+        x[1] + 0.370299995f) * cosine2);
+    const skylight_sh_4_bands_0_1pct_lanes y_zenith = ((((0.00274999999f * x[1] + (-0.0421399996f))
+        * x[1] + 0.153459996f) * x[0] + (((-0.00609999988f) * x[1] + 0.0896999985f) * x[1] +
+        (-0.267560005f))) * x[0] + ((0.00316999992f * x[1] + (-0.0415299982f)) * x[1] +
+        0.0666999966f)) * x[0] + (0.00516000018f * x[1] + 0.266880006f);
+    const skylight_sh_4_bands_0_1pct_lanes y_2 = ((-0.0640999973f) * x[1] + (-0.898899972f)) * x[0]
+        * 0.25f;
+    const skylight_sh_4_bands_0_1pct_lanes y2_2 = y_2 * y_2;
+    const skylight_sh_4_bands_0_1pct_lanes halo_2 = 1.0f + 0.99999845f * y_2 + y2_2 * (0.499975085f
+        + 0.166515172f * y_2 + y2_2 * (0.0412233174f + 0.00765432511f * y_2 + y2_2 *
+        0.000849007862f));
+    const skylight_sh_4_bands_0_1pct_lanes halo2_2 = halo_2 * halo_2;
+    const skylight_sh_4_bands_0_1pct_lanes halo4_2 = halo2_2 * halo2_2;
+    const skylight_sh_4_bands_0_1pct_lanes shape_x = (0.00249999994f * x[1] + 0.733200014f) * (1.0f
+        + ((-0.00039999999f) * x[1] + 0.212500006f) * halo4_2 + ((-0.00329999998f) * x[1] +
+        0.0452000014f) * cosine2);
+    const skylight_sh_4_bands_0_1pct_lanes one = zenith / (below * shape_y * y_zenith * shape_x);
+    const skylight_sh_4_bands_0_1pct_lanes x_zenith = ((((0.00165999995f * x[1] + (-0.0290300008f))
+        * x[1] + 0.11693f) * x[0] + (((-0.00374999992f) * x[1] + 0.0637700036f) * x[1] +
+        (-0.211960003f))) * x[0] + ((0.00209000008f * x[1] + (-0.0320199989f)) * x[1] +
+        0.0605200008f)) * x[0] + (0.0039400002f * x[1] + 0.258859992f);
+    const skylight_sh_4_bands_0_1pct_lanes y_3 = ((-0.0441000015f) * x[1] + (-1.65369999f)) * x[0] *
+        0.25f;
+    const skylight_sh_4_bands_0_1pct_lanes y2_3 = y_3 * y_3;
+    const skylight_sh_4_bands_0_1pct_lanes halo_3 = 1.0f + 0.99999845f * y_3 + y2_3 * (0.499975085f
+        + 0.166515172f * y_3 + y2_3 * (0.0412233174f + 0.00765432511f * y_3 + y2_3 *
+        0.000849007862f));
+    const skylight_sh_4_bands_0_1pct_lanes halo2_3 = halo_3 * halo_3;
+    const skylight_sh_4_bands_0_1pct_lanes halo4_3 = halo2_3 * halo2_3;
+    const skylight_sh_4_bands_0_1pct_lanes shape_z = (0.00992999971f * x[1] + 0.734399974f) * (1.0f
+        + ((-0.00789999962f) * x[1] + 0.210199997f) * halo4_3 + ((-0.0109000001f) * x[1] +
+        0.0529000014f) * cosine2);
+    const skylight_sh_4_bands_0_1pct_lanes of_x = one * x_zenith * shape_z;
+    const skylight_sh_4_bands_0_1pct_lanes part_2 = 3.73898554f * of_x;
+    out[4] = part_2;
+    const skylight_sh_4_bands_0_1pct_lanes of_y = one * y_zenith * shape_x;
+    const skylight_sh_4_bands_0_1pct_lanes of_s = one * shape_z * shape_x;
+    const skylight_sh_4_bands_0_1pct_lanes part_3 = (-0.498531401f) * of_s;
+    out[8] = part_3;
+    const skylight_sh_4_bands_0_1pct_lanes part_4 = part_2 + (-1.03860712f) * of_y + part_3;
+    out[0] = part_4;
+    const skylight_sh_4_bands_0_1pct_lanes part_5 = (-1.01082206f) * of_x;
+    out[5] = part_5;
+    const skylight_sh_4_bands_0_1pct_lanes part_6 = 0.0415560007f * of_s;
+    out[9] = part_6;
+    const skylight_sh_4_bands_0_1pct_lanes part_7 = part_5 + 1.83445477f * of_y + part_6;
+    out[1] = part_7;
+    const skylight_sh_4_bands_0_1pct_lanes part_8 = (-1.00158179f) * of_x;
+    out[6] = part_8;
+    const skylight_sh_4_bands_0_1pct_lanes part_9 = 1.05722523f * of_s;
+    out[10] = part_9;
+    const skylight_sh_4_bands_0_1pct_lanes part_10 = part_8 + (-1.26125109f) * of_y + part_9;
+    out[2] = part_10;
+    out[3] = skylight_sh_4_bands_0_1pct_spread(0.0f);
+    out[7] = skylight_sh_4_bands_0_1pct_spread(0.0f);
+    out[11] = skylight_sh_4_bands_0_1pct_spread(0.0f);
+    (void)x;
+}
+
+/* The functions of sun_zenith (change of variable: even); 0 where there is
+   none. */
+static inline void skylight_sh_4_bands_0_1pct_first_suns(const skylight_sh_4_bands_0_1pct_lanes *x,
+    skylight_sh_4_bands_0_1pct_lanes *out)
+{
+    out[0] = skylight_sh_4_bands_0_1pct_spread(1.0f);
+    const skylight_sh_4_bands_0_1pct_lanes part_1 = (-13.3479729f) * (x[0] * x[0] - 0.0f) /
+        ((-14.0f) - x[0] * x[0]) - 1.0f;
+    out[1] = part_1;
+    const skylight_sh_4_bands_0_1pct_lanes part_2 = part_1 * part_1;
+    out[2] = part_2;
+    const skylight_sh_4_bands_0_1pct_lanes part_3 = part_1 * part_2;
+    out[3] = part_3;
+    const skylight_sh_4_bands_0_1pct_lanes part_4 = part_1 * part_3;
+    out[4] = part_4;
+    const skylight_sh_4_bands_0_1pct_lanes part_5 = part_1 * part_4;
+    out[5] = part_5;
+    const skylight_sh_4_bands_0_1pct_lanes part_6 = part_1 * part_5;
+    out[6] = part_6;
+    out[7] = skylight_sh_4_bands_0_1pct_spread(0.0f);
+    (void)x;
+}
+
+/* All products of the functions of turbidity (change of variable:
+   reciprocal). */
+static inline void skylight_sh_4_bands_0_1pct_others_suns(const skylight_sh_4_bands_0_1pct_lanes *x,
+    skylight_sh_4_bands_0_1pct_lanes *out)
+{
+    out[0] = skylight_sh_4_bands_0_1pct_spread(1.0f);
+    const skylight_sh_4_bands_0_1pct_lanes part_1 = (-4.85714293f) * (x[1] - 2.5f) / ((-2.5f) -
+        x[1]) - 1.0f;
+    out[1] = part_1;
+    const skylight_sh_4_bands_0_1pct_lanes part_2 = part_1 * part_1;
+    out[2] = part_2;
+    const skylight_sh_4_bands_0_1pct_lanes part_3 = part_1 * part_2;
+    out[3] = part_3;
+    const skylight_sh_4_bands_0_1pct_lanes part_4 = part_1 * part_3;
+    out[4] = part_4;
+    const skylight_sh_4_bands_0_1pct_lanes part_5 = part_1 * part_4;
+    out[5] = part_5;
+    (void)x;
+}
+
+/* cos(m azimuth) and sin(m azimuth), m < bands, each times the m-th power
+   of `radius`, by doubling. */
+static inline void skylight_sh_4_bands_0_1pct_waves_suns(skylight_sh_4_bands_0_1pct_lanes cosine,
+    skylight_sh_4_bands_0_1pct_lanes sine, skylight_sh_4_bands_0_1pct_lanes radius,
+    skylight_sh_4_bands_0_1pct_lanes *cosines, skylight_sh_4_bands_0_1pct_lanes *sines)
+{
+    cosines[0] = skylight_sh_4_bands_0_1pct_spread(1.0f);
+    const skylight_sh_4_bands_0_1pct_lanes part_1 = radius * cosine;
+    cosines[1] = part_1;
+    const skylight_sh_4_bands_0_1pct_lanes part_2 = radius * sine;
+    sines[1] = part_2;
+    const skylight_sh_4_bands_0_1pct_lanes part_3 = part_1 * part_1 - part_2 * part_2;
+    cosines[2] = part_3;
+    const skylight_sh_4_bands_0_1pct_lanes part_4 = part_2 * part_1 + part_1 * part_2;
+    sines[2] = part_4;
+    const skylight_sh_4_bands_0_1pct_lanes part_5 = part_1 * part_3 - part_2 * part_4;
+    cosines[3] = part_5;
+    sines[0] = skylight_sh_4_bands_0_1pct_spread(0.0f);
+    const skylight_sh_4_bands_0_1pct_lanes part_6 = part_2 * part_3 + part_1 * part_4;
+    sines[3] = part_6;
+}
+
+/* The sine of the sun's zenith angle, whose powers the sums of order m
+   lack. */
+static inline skylight_sh_4_bands_0_1pct_lanes skylight_sh_4_bands_0_1pct_sine_suns(const
+    skylight_sh_4_bands_0_1pct_lanes *x)
+{
+    const skylight_sh_4_bands_0_1pct_lanes part_1 = x[SKYLIGHT_SH_4_BANDS_0_1PCT_SUN] *
+        x[SKYLIGHT_SH_4_BANDS_0_1PCT_SUN];
+    return x[SKYLIGHT_SH_4_BANDS_0_1PCT_SUN] + x[SKYLIGHT_SH_4_BANDS_0_1PCT_SUN] * (part_1 *
+        ((-0.166666597f) + part_1 * (0.00833306555f + part_1 * ((-0.000198095426f) + part_1 *
+        2.60563934e-06f))));
+}
+
+static inline void skylight_sh_4_bands_0_1pct_quarter_suns(skylight_sh_4_bands_0_1pct_lanes angle,
+    skylight_sh_4_bands_0_1pct_lanes *out)
+{
+    const skylight_sh_4_bands_0_1pct_lanes part_1 = angle * angle;
+    const skylight_sh_4_bands_0_1pct_lanes part_2 = 1.0f - 0.5f * part_1 + part_1 * part_1 *
+        (0.0416666456f + part_1 * ((-0.00138873665f) + part_1 * 2.44383464e-05f));
+    out[0] = part_2;
+    const skylight_sh_4_bands_0_1pct_lanes part_3 = angle + angle * (part_1 * ((-0.166666552f) +
+        part_1 * (0.0083321603f + part_1 * (-0.00019515281f))));
+    out[1] = part_3;
+}
+
+#endif /* SKYLIGHT_SH_4_BANDS_0_1PCT_LANES */
 
 /* The zonal window's factor for the degree `share` * bands (Habel et al.
    2008, eq. 5). */
@@ -550,173 +927,178 @@ static inline void skylight_sh_4_bands_0_1pct_factor_slopes(const double *x, dou
     const double part_14 = (-0.022700000000000001) * x[1] + 5.3250999999999999;
     const double part_15 = 0.1206 * x[1] + (-2.5771000000000002);
     const double y = part_15 * x[0] * 0.25;
-    const double part_16 = 0.0076543250999999996 + y * 0.00084900787100000003;
-    const double part_17 = 0.041223317699999998 + y * part_16;
-    const double part_18 = 0.16651516699999999 + y * part_17;
-    const double part_19 = 0.49997509099999998 + y * part_18;
-    const double part_20 = 0.99999845399999998 + y * part_19;
-    const double halo = 0.99999998400000001 + y * part_20;
+    const double y2 = y * y;
+    const double part_16 = 0.041223317699999998 + 0.0076543250999999996 * y + y2 *
+        0.00084900787100000003;
+    const double part_17 = 0.49997509099999998 + 0.16651516699999999 * y + y2 * part_16;
+    const double halo = 0.99999998400000001 + 0.99999845399999998 * y + y2 * part_17;
     const double halo2 = halo * halo;
     const double halo4 = halo2 * halo2;
-    const double part_21 = (-0.067000000000000004) * x[1] + 0.37030000000000002;
+    const double part_18 = (-0.067000000000000004) * x[1] + 0.37030000000000002;
     const double z = x[0] * x[0];
-    const double part_22 = 0.5 - z * 0.03125;
-    const double cosine = 1.0 - z * part_22;
+    const double part_19 = 0.5 - z * 0.03125;
+    const double cosine = 1.0 - z * part_19;
     const double cosine2 = cosine * cosine;
-    const double part_23 = 1.0 + part_14 * halo4 + part_21 * cosine2;
-    const double shape_y = part_13 * part_23;
-    const double part_24 = below * shape_y;
-    const double part_25 = 0.0027499999999999998 * x[1] + (-0.042139999999999997);
-    const double part_26 = part_25 * x[1] + 0.15346000000000001;
-    const double part_27 = (-0.0061000000000000004) * x[1] + 0.089700000000000002;
-    const double part_28 = part_26 * x[0] + (part_27 * x[1] + (-0.26756000000000002));
-    const double part_29 = 0.0031700000000000001 * x[1] + (-0.041529999999999997);
-    const double part_30 = part_28 * x[0] + (part_29 * x[1] + 0.066699999999999995);
-    const double y_zenith = part_30 * x[0] + (0.0051599999999999997 * x[1] + 0.26688000000000001);
-    const double part_31 = part_24 * y_zenith;
-    const double part_32 = 0.0025000000000000001 * x[1] + 0.73319999999999996;
-    const double part_33 = (-0.00040000000000000002) * x[1] + 0.21249999999999999;
-    const double part_34 = (-0.064100000000000004) * x[1] + (-0.89890000000000003);
-    const double y_2 = part_34 * x[0] * 0.25;
-    const double part_35 = 0.0076543250999999996 + y_2 * 0.00084900787100000003;
-    const double part_36 = 0.041223317699999998 + y_2 * part_35;
-    const double part_37 = 0.16651516699999999 + y_2 * part_36;
-    const double part_38 = 0.49997509099999998 + y_2 * part_37;
-    const double part_39 = 0.99999845399999998 + y_2 * part_38;
-    const double halo_2 = 0.99999998400000001 + y_2 * part_39;
+    const double part_20 = 1.0 + part_14 * halo4 + part_18 * cosine2;
+    const double shape_y = part_13 * part_20;
+    const double part_21 = below * shape_y;
+    const double part_22 = 0.0027499999999999998 * x[1] + (-0.042139999999999997);
+    const double part_23 = part_22 * x[1] + 0.15346000000000001;
+    const double part_24 = (-0.0061000000000000004) * x[1] + 0.089700000000000002;
+    const double part_25 = part_23 * x[0] + (part_24 * x[1] + (-0.26756000000000002));
+    const double part_26 = 0.0031700000000000001 * x[1] + (-0.041529999999999997);
+    const double part_27 = part_25 * x[0] + (part_26 * x[1] + 0.066699999999999995);
+    const double y_zenith = part_27 * x[0] + (0.0051599999999999997 * x[1] + 0.26688000000000001);
+    const double part_28 = part_21 * y_zenith;
+    const double part_29 = 0.0025000000000000001 * x[1] + 0.73319999999999996;
+    const double part_30 = (-0.00040000000000000002) * x[1] + 0.21249999999999999;
+    const double part_31 = (-0.064100000000000004) * x[1] + (-0.89890000000000003);
+    const double y_2 = part_31 * x[0] * 0.25;
+    const double y2_2 = y_2 * y_2;
+    const double part_32 = 0.041223317699999998 + 0.0076543250999999996 * y_2 + y2_2 *
+        0.00084900787100000003;
+    const double part_33 = 0.49997509099999998 + 0.16651516699999999 * y_2 + y2_2 * part_32;
+    const double halo_2 = 0.99999998400000001 + 0.99999845399999998 * y_2 + y2_2 * part_33;
     const double halo2_2 = halo_2 * halo_2;
     const double halo4_2 = halo2_2 * halo2_2;
-    const double part_40 = (-0.0033) * x[1] + 0.045199999999999997;
-    const double part_41 = 1.0 + part_33 * halo4_2 + part_40 * cosine2;
-    const double shape_x = part_32 * part_41;
-    const double part_42 = part_31 * shape_x;
-    const double one = zenith / part_42;
-    const double part_43 = 0.00166 * x[1] + (-0.02903);
-    const double part_44 = part_43 * x[1] + 0.11693000000000001;
-    const double part_45 = (-0.0037499999999999999) * x[1] + 0.063769999999999993;
-    const double part_46 = part_44 * x[0] + (part_45 * x[1] + (-0.21196000000000001));
-    const double part_47 = 0.0020899999999999998 * x[1] + (-0.03202);
-    const double part_48 = part_46 * x[0] + (part_47 * x[1] + 0.060519999999999997);
-    const double x_zenith = part_48 * x[0] + (0.0039399999999999999 * x[1] + 0.25885999999999998);
-    const double part_49 = one * x_zenith;
-    const double part_50 = 0.0099299999999999996 * x[1] + 0.73440000000000005;
-    const double part_51 = (-0.0079000000000000008) * x[1] + 0.2102;
-    const double part_52 = (-0.0441) * x[1] + (-1.6536999999999999);
-    const double y_3 = part_52 * x[0] * 0.25;
-    const double part_53 = 0.0076543250999999996 + y_3 * 0.00084900787100000003;
-    const double part_54 = 0.041223317699999998 + y_3 * part_53;
-    const double part_55 = 0.16651516699999999 + y_3 * part_54;
-    const double part_56 = 0.49997509099999998 + y_3 * part_55;
-    const double part_57 = 0.99999845399999998 + y_3 * part_56;
-    const double halo_3 = 0.99999998400000001 + y_3 * part_57;
+    const double part_34 = (-0.0033) * x[1] + 0.045199999999999997;
+    const double part_35 = 1.0 + part_30 * halo4_2 + part_34 * cosine2;
+    const double shape_x = part_29 * part_35;
+    const double part_36 = part_28 * shape_x;
+    const double one = zenith / part_36;
+    const double part_37 = 0.00166 * x[1] + (-0.02903);
+    const double part_38 = part_37 * x[1] + 0.11693000000000001;
+    const double part_39 = (-0.0037499999999999999) * x[1] + 0.063769999999999993;
+    const double part_40 = part_38 * x[0] + (part_39 * x[1] + (-0.21196000000000001));
+    const double part_41 = 0.0020899999999999998 * x[1] + (-0.03202);
+    const double part_42 = part_40 * x[0] + (part_41 * x[1] + 0.060519999999999997);
+    const double x_zenith = part_42 * x[0] + (0.0039399999999999999 * x[1] + 0.25885999999999998);
+    const double part_43 = one * x_zenith;
+    const double part_44 = 0.0099299999999999996 * x[1] + 0.73440000000000005;
+    const double part_45 = (-0.0079000000000000008) * x[1] + 0.2102;
+    const double part_46 = (-0.0441) * x[1] + (-1.6536999999999999);
+    const double y_3 = part_46 * x[0] * 0.25;
+    const double y2_3 = y_3 * y_3;
+    const double part_47 = 0.041223317699999998 + 0.0076543250999999996 * y_3 + y2_3 *
+        0.00084900787100000003;
+    const double part_48 = 0.49997509099999998 + 0.16651516699999999 * y_3 + y2_3 * part_47;
+    const double halo_3 = 0.99999998400000001 + 0.99999845399999998 * y_3 + y2_3 * part_48;
     const double halo2_3 = halo_3 * halo_3;
     const double halo4_3 = halo2_3 * halo2_3;
-    const double part_58 = (-0.0109) * x[1] + 0.052900000000000003;
-    const double part_59 = 1.0 + part_51 * halo4_3 + part_58 * cosine2;
-    const double shape_z = part_50 * part_59;
-    const double of_x = part_49 * shape_z;
-    out[1] = 3.7389855999999999 * of_x;
-    const double part_60 = one * y_zenith;
-    const double of_y = part_60 * shape_x;
-    const double part_61 = one * shape_z;
-    const double of_s = part_61 * shape_x;
-    out[2] = (-0.49853140000000001) * of_s;
-    out[0] = out[1] + (-1.0386070999999999) * of_y + out[2];
-    out[4] = (-1.0108219999999999) * of_x;
-    out[5] = 0.041556000000000003 * of_s;
-    out[3] = out[4] + 1.8344548000000001 * of_y + out[5];
-    out[7] = (-1.0015818000000001) * of_x;
-    out[8] = 1.0572252 * of_s;
-    out[6] = out[7] + (-1.2612511) * of_y + out[8];
-    const double part_62 = part_2 * -1.0;
-    const double part_63 = part_62 * chi + chi * part_62;
-    const double part_64 = -(part_63 * part_8 + square * -(15.0 * part_63));
-    const double part_65 = part_15 * 0.25;
-    const double part_66 = part_65 * part_20 + y * (part_65 * part_19 + y * (part_65 * part_18 + y *
-        (part_65 * part_17 + y * (part_65 * part_16 + y * (part_65 * 0.00084900787100000003)))));
-    const double part_67 = part_66 * halo + halo * part_66;
-    const double part_68 = x[0] + x[0];
-    const double part_69 = -(part_68 * part_22 + z * -(part_68 * 0.03125));
-    const double part_70 = part_69 * cosine + cosine * part_69;
-    const double part_71 = (part_26 * x[0] + part_28) * x[0] + part_30;
-    const double part_72 = part_34 * 0.25;
-    const double part_73 = part_72 * part_39 + y_2 * (part_72 * part_38 + y_2 * (part_72 * part_37 +
-        y_2 * (part_72 * part_36 + y_2 * (part_72 * part_35 + y_2 * (part_72 *
-        0.00084900787100000003)))));
-    const double part_74 = part_73 * halo_2 + halo_2 * part_73;
-    const double part_75 = part_32 * (part_33 * (part_74 * halo2_2 + halo2_2 * part_74) + part_40 *
-        part_70);
-    const double part_76 = (part_1 * (part_62 * part_5 + chi * -(part_63 * part_4 + square *
-        -part_63)) + part_7 * part_64) / part_42 - one * (((part_64 * shape_y + below * (part_13 *
-        (part_14 * (part_67 * halo2 + halo2 * part_67) + part_21 * part_70))) * y_zenith + part_24 *
-        part_71) * shape_x + part_31 * part_75) / part_42;
-    const double part_77 = part_52 * 0.25;
-    const double part_78 = part_77 * part_57 + y_3 * (part_77 * part_56 + y_3 * (part_77 * part_55 +
-        y_3 * (part_77 * part_54 + y_3 * (part_77 * part_53 + y_3 * (part_77 *
-        0.00084900787100000003)))));
-    const double part_79 = part_78 * halo_3 + halo_3 * part_78;
-    const double part_80 = part_50 * (part_51 * (part_79 * halo2_3 + halo2_3 * part_79) + part_58 *
-        part_70);
-    const double part_81 = (part_76 * x_zenith + one * ((part_44 * x[0] + part_46) * x[0] +
-        part_48)) * shape_z + part_49 * part_80;
-    out[10] = 3.7389855999999999 * part_81;
-    const double part_82 = (part_76 * y_zenith + one * part_71) * shape_x + part_60 * part_75;
-    const double part_83 = (part_76 * shape_z + one * part_80) * shape_x + part_61 * part_75;
-    out[11] = (-0.49853140000000001) * part_83;
-    out[9] = out[10] + (-1.0386070999999999) * part_82 + out[11];
-    out[13] = (-1.0108219999999999) * part_81;
-    out[14] = 0.041556000000000003 * part_83;
-    out[12] = out[13] + 1.8344548000000001 * part_82 + out[14];
-    out[16] = (-1.0015818000000001) * part_81;
-    out[17] = 1.0572252 * part_83;
-    out[15] = out[16] + (-1.2612511) * part_82 + out[17];
-    const double part_84 = -0.016666666666666666 * part_3;
-    const double part_85 = part_84 * chi + chi * part_84;
-    const double part_86 = -(part_85 * part_8 + square * -(15.0 * part_85));
-    const double part_87 = (-0.35539999999999999) * part_11 + part_10 * ((-0.35539999999999999) *
+    const double part_49 = (-0.0109) * x[1] + 0.052900000000000003;
+    const double part_50 = 1.0 + part_45 * halo4_3 + part_49 * cosine2;
+    const double shape_z = part_44 * part_50;
+    const double of_x = part_43 * shape_z;
+    out[4] = 3.7389855999999999 * of_x;
+    const double part_51 = one * y_zenith;
+    const double of_y = part_51 * shape_x;
+    const double part_52 = one * shape_z;
+    const double of_s = part_52 * shape_x;
+    out[8] = (-0.49853140000000001) * of_s;
+    out[0] = out[4] + (-1.0386070999999999) * of_y + out[8];
+    out[5] = (-1.0108219999999999) * of_x;
+    out[9] = 0.041556000000000003 * of_s;
+    out[1] = out[5] + 1.8344548000000001 * of_y + out[9];
+    out[6] = (-1.0015818000000001) * of_x;
+    out[10] = 1.0572252 * of_s;
+    out[2] = out[6] + (-1.2612511) * of_y + out[10];
+    const double part_53 = part_2 * -1.0;
+    const double part_54 = part_53 * chi + chi * part_53;
+    const double part_55 = -(part_54 * part_8 + square * -(15.0 * part_54));
+    const double part_56 = part_15 * 0.25;
+    const double part_57 = part_56 * y + y * part_56;
+    const double part_58 = 0.99999845399999998 * part_56 + (part_57 * part_17 + y2 *
+        (0.16651516699999999 * part_56 + (part_57 * part_16 + y2 * (0.0076543250999999996 * part_56
+        + part_57 * 0.00084900787100000003))));
+    const double part_59 = part_58 * halo + halo * part_58;
+    const double part_60 = x[0] + x[0];
+    const double part_61 = -(part_60 * part_19 + z * -(part_60 * 0.03125));
+    const double part_62 = part_61 * cosine + cosine * part_61;
+    const double part_63 = (part_23 * x[0] + part_25) * x[0] + part_27;
+    const double part_64 = part_31 * 0.25;
+    const double part_65 = part_64 * y_2 + y_2 * part_64;
+    const double part_66 = 0.99999845399999998 * part_64 + (part_65 * part_33 + y2_2 *
+        (0.16651516699999999 * part_64 + (part_65 * part_32 + y2_2 * (0.0076543250999999996 *
+        part_64 + part_65 * 0.00084900787100000003))));
+    const double part_67 = part_66 * halo_2 + halo_2 * part_66;
+    const double part_68 = part_29 * (part_30 * (part_67 * halo2_2 + halo2_2 * part_67) + part_34 *
+        part_62);
+    const double part_69 = (part_1 * (part_53 * part_5 + chi * -(part_54 * part_4 + square *
+        -part_54)) + part_7 * part_55) / part_36 - one * (((part_55 * shape_y + below * (part_13 *
+        (part_14 * (part_59 * halo2 + halo2 * part_59) + part_18 * part_62))) * y_zenith + part_21 *
+        part_63) * shape_x + part_28 * part_68) / part_36;
+    const double part_70 = part_46 * 0.25;
+    const double part_71 = part_70 * y_3 + y_3 * part_70;
+    const double part_72 = 0.99999845399999998 * part_70 + (part_71 * part_48 + y2_3 *
+        (0.16651516699999999 * part_70 + (part_71 * part_47 + y2_3 * (0.0076543250999999996 *
+        part_70 + part_71 * 0.00084900787100000003))));
+    const double part_73 = part_72 * halo_3 + halo_3 * part_72;
+    const double part_74 = part_44 * (part_45 * (part_73 * halo2_3 + halo2_3 * part_73) + part_49 *
+        part_62);
+    const double part_75 = (part_69 * x_zenith + one * ((part_38 * x[0] + part_40) * x[0] +
+        part_42)) * shape_z + part_43 * part_74;
+    out[16] = 3.7389855999999999 * part_75;
+    const double part_76 = (part_69 * y_zenith + one * part_63) * shape_x + part_51 * part_68;
+    const double part_77 = (part_69 * shape_z + one * part_74) * shape_x + part_52 * part_68;
+    out[20] = (-0.49853140000000001) * part_77;
+    out[12] = out[16] + (-1.0386070999999999) * part_76 + out[20];
+    out[17] = (-1.0108219999999999) * part_75;
+    out[21] = 0.041556000000000003 * part_77;
+    out[13] = out[17] + 1.8344548000000001 * part_76 + out[21];
+    out[18] = (-1.0015818000000001) * part_75;
+    out[22] = 1.0572252 * part_77;
+    out[14] = out[18] + (-1.2612511) * part_76 + out[22];
+    const double part_78 = -0.016666666666666666 * part_3;
+    const double part_79 = part_78 * chi + chi * part_78;
+    const double part_80 = -(part_79 * part_8 + square * -(15.0 * part_79));
+    const double part_81 = (-0.35539999999999999) * part_11 + part_10 * ((-0.35539999999999999) *
         0.03125);
-    const double part_88 = part_87 * up + up * part_87;
-    const double part_89 = 0.1206 * x[0] * 0.25;
-    const double part_90 = part_89 * part_20 + y * (part_89 * part_19 + y * (part_89 * part_18 + y *
-        (part_89 * part_17 + y * (part_89 * part_16 + y * (part_89 * 0.00084900787100000003)))));
-    const double part_91 = part_90 * halo + halo * part_90;
-    const double part_92 = (((0.0027499999999999998 * x[1] + part_25) * x[0] +
-        ((-0.0061000000000000004) * x[1] + part_27)) * x[0] + (0.0031700000000000001 * x[1] +
-        part_29)) * x[0] + 0.0051599999999999997;
-    const double part_93 = (-0.064100000000000004) * x[0] * 0.25;
-    const double part_94 = part_93 * part_39 + y_2 * (part_93 * part_38 + y_2 * (part_93 * part_37 +
-        y_2 * (part_93 * part_36 + y_2 * (part_93 * part_35 + y_2 * (part_93 *
-        0.00084900787100000003)))));
-    const double part_95 = part_94 * halo_2 + halo_2 * part_94;
-    const double part_96 = 0.0025000000000000001 * part_41 + part_32 * ((-0.00040000000000000002) *
-        halo4_2 + part_33 * (part_95 * halo2_2 + halo2_2 * part_95) + (-0.0033) * cosine2);
-    const double part_97 = (4045.3000000000002 * part_6 + part_1 * (part_84 * part_5 + chi *
-        -(part_85 * part_4 + square * -part_85)) + (-215.5 * below + part_7 * part_86)) / part_42 -
-        one * (((part_86 * shape_y + below * ((0.1787 * part_12 + part_9 * (part_88 * up2 + up2 *
-        part_88)) * part_23 + part_13 * ((-0.022700000000000001) * halo4 + part_14 * (part_91 *
-        halo2 + halo2 * part_91) + (-0.067000000000000004) * cosine2))) * y_zenith + part_24 *
-        part_92) * shape_x + part_31 * part_96) / part_42;
-    const double part_98 = (-0.0441) * x[0] * 0.25;
-    const double part_99 = part_98 * part_57 + y_3 * (part_98 * part_56 + y_3 * (part_98 * part_55 +
-        y_3 * (part_98 * part_54 + y_3 * (part_98 * part_53 + y_3 * (part_98 *
-        0.00084900787100000003)))));
-    const double part_100 = part_99 * halo_3 + halo_3 * part_99;
-    const double part_101 = 0.0099299999999999996 * part_59 + part_50 * ((-0.0079000000000000008) *
-        halo4_3 + part_51 * (part_100 * halo2_3 + halo2_3 * part_100) + (-0.0109) * cosine2);
-    const double part_102 = (part_97 * x_zenith + one * ((((0.00166 * x[1] + part_43) * x[0] +
-        ((-0.0037499999999999999) * x[1] + part_45)) * x[0] + (0.0020899999999999998 * x[1] +
-        part_47)) * x[0] + 0.0039399999999999999)) * shape_z + part_49 * part_101;
-    out[19] = 3.7389855999999999 * part_102;
-    const double part_103 = (part_97 * y_zenith + one * part_92) * shape_x + part_60 * part_96;
-    const double part_104 = (part_97 * shape_z + one * part_101) * shape_x + part_61 * part_96;
-    out[20] = (-0.49853140000000001) * part_104;
-    out[18] = out[19] + (-1.0386070999999999) * part_103 + out[20];
-    out[22] = (-1.0108219999999999) * part_102;
-    out[23] = 0.041556000000000003 * part_104;
-    out[21] = out[22] + 1.8344548000000001 * part_103 + out[23];
-    out[25] = (-1.0015818000000001) * part_102;
-    out[26] = 1.0572252 * part_104;
-    out[24] = out[25] + (-1.2612511) * part_103 + out[26];
+    const double part_82 = part_81 * up + up * part_81;
+    const double part_83 = 0.1206 * x[0] * 0.25;
+    const double part_84 = part_83 * y + y * part_83;
+    const double part_85 = 0.99999845399999998 * part_83 + (part_84 * part_17 + y2 *
+        (0.16651516699999999 * part_83 + (part_84 * part_16 + y2 * (0.0076543250999999996 * part_83
+        + part_84 * 0.00084900787100000003))));
+    const double part_86 = part_85 * halo + halo * part_85;
+    const double part_87 = (((0.0027499999999999998 * x[1] + part_22) * x[0] +
+        ((-0.0061000000000000004) * x[1] + part_24)) * x[0] + (0.0031700000000000001 * x[1] +
+        part_26)) * x[0] + 0.0051599999999999997;
+    const double part_88 = (-0.064100000000000004) * x[0] * 0.25;
+    const double part_89 = part_88 * y_2 + y_2 * part_88;
+    const double part_90 = 0.99999845399999998 * part_88 + (part_89 * part_33 + y2_2 *
+        (0.16651516699999999 * part_88 + (part_89 * part_32 + y2_2 * (0.0076543250999999996 *
+        part_88 + part_89 * 0.00084900787100000003))));
+    const double part_91 = part_90 * halo_2 + halo_2 * part_90;
+    const double part_92 = 0.0025000000000000001 * part_35 + part_29 * ((-0.00040000000000000002) *
+        halo4_2 + part_30 * (part_91 * halo2_2 + halo2_2 * part_91) + (-0.0033) * cosine2);
+    const double part_93 = (4045.3000000000002 * part_6 + part_1 * (part_78 * part_5 + chi *
+        -(part_79 * part_4 + square * -part_79)) + (-215.5 * below + part_7 * part_80)) / part_36 -
+        one * (((part_80 * shape_y + below * ((0.1787 * part_12 + part_9 * (part_82 * up2 + up2 *
+        part_82)) * part_20 + part_13 * ((-0.022700000000000001) * halo4 + part_14 * (part_86 *
+        halo2 + halo2 * part_86) + (-0.067000000000000004) * cosine2))) * y_zenith + part_21 *
+        part_87) * shape_x + part_28 * part_92) / part_36;
+    const double part_94 = (-0.0441) * x[0] * 0.25;
+    const double part_95 = part_94 * y_3 + y_3 * part_94;
+    const double part_96 = 0.99999845399999998 * part_94 + (part_95 * part_48 + y2_3 *
+        (0.16651516699999999 * part_94 + (part_95 * part_47 + y2_3 * (0.0076543250999999996 *
+        part_94 + part_95 * 0.00084900787100000003))));
+    const double part_97 = part_96 * halo_3 + halo_3 * part_96;
+    const double part_98 = 0.0099299999999999996 * part_50 + part_44 * ((-0.0079000000000000008) *
+        halo4_3 + part_45 * (part_97 * halo2_3 + halo2_3 * part_97) + (-0.0109) * cosine2);
+    const double part_99 = (part_93 * x_zenith + one * ((((0.00166 * x[1] + part_37) * x[0] +
+        ((-0.0037499999999999999) * x[1] + part_39)) * x[0] + (0.0020899999999999998 * x[1] +
+        part_41)) * x[0] + 0.0039399999999999999)) * shape_z + part_43 * part_98;
+    out[28] = 3.7389855999999999 * part_99;
+    const double part_100 = (part_93 * y_zenith + one * part_87) * shape_x + part_51 * part_92;
+    const double part_101 = (part_93 * shape_z + one * part_98) * shape_x + part_52 * part_92;
+    out[32] = (-0.49853140000000001) * part_101;
+    out[24] = out[28] + (-1.0386070999999999) * part_100 + out[32];
+    out[29] = (-1.0108219999999999) * part_99;
+    out[33] = 0.041556000000000003 * part_101;
+    out[25] = out[29] + 1.8344548000000001 * part_100 + out[33];
+    out[30] = (-1.0015818000000001) * part_99;
+    out[34] = 1.0572252 * part_101;
+    out[26] = out[30] + (-1.2612511) * part_100 + out[34];
     (void)x;
 }
 
@@ -760,7 +1142,7 @@ static inline int skylight_sh_4_bands_0_1pct_inputs(const float
         skylight_sh_4_bands_0_1pct_kind(inputs[axis]);
     if (strange & 2) return 2;
     for (axis = 0; axis < SKYLIGHT_SH_4_BANDS_0_1PCT_AXES; ++axis) {
-        const float v = skylight_sh_4_bands_0_1pct_finite(inputs[axis]);
+        const float v = strange ? skylight_sh_4_bands_0_1pct_finite(inputs[axis]) : inputs[axis];
         const skylight_sh_4_bands_0_1pct_real low = skylight_sh_4_bands_0_1pct_range[axis][0],
             high = skylight_sh_4_bands_0_1pct_range[axis][1];
         const skylight_sh_4_bands_0_1pct_real at_least = (skylight_sh_4_bands_0_1pct_real)v < low ?
@@ -772,110 +1154,34 @@ static inline int skylight_sh_4_bands_0_1pct_inputs(const float
     return status;
 }
 
-/* Numbers side by side where the compiler has vector types: as many as the processor's registers
-   hold, and four. */
-#if defined(__GNUC__) && (defined(__SSE__) || defined(__ARM_NEON) || defined(__ALTIVEC__) || \
-                          defined(__wasm_simd128__) || defined(__loongarch_sx))
-#if defined(__AVX512F__)
-#define SKYLIGHT_SH_4_BANDS_0_1PCT_LANES 16
-#elif defined(__AVX__)
-#define SKYLIGHT_SH_4_BANDS_0_1PCT_LANES 8
-#else
-#define SKYLIGHT_SH_4_BANDS_0_1PCT_LANES 4
-#endif
-#endif
-/* What is worth its place in every caller. */
-#ifdef __GNUC__
-#define SKYLIGHT_SH_4_BANDS_0_1PCT_INLINE static inline __attribute__((always_inline))
-#else
-#define SKYLIGHT_SH_4_BANDS_0_1PCT_INLINE static inline
-#endif
-#ifdef SKYLIGHT_SH_4_BANDS_0_1PCT_LANES
-#ifdef __FMA__
-/* One operation for a product and a sum, which standard C may not choose by itself. */
-#include <immintrin.h>
-#endif
-typedef float skylight_sh_4_bands_0_1pct_lanes __attribute__((vector_size(4 *
-    SKYLIGHT_SH_4_BANDS_0_1PCT_LANES)));
-typedef float skylight_sh_4_bands_0_1pct_four __attribute__((vector_size(16)));
-typedef int skylight_sh_4_bands_0_1pct_order __attribute__((vector_size(16)));
-
-/* The same number in all places: v - 0 is v, which 0 + v need not be. */
-static inline skylight_sh_4_bands_0_1pct_lanes skylight_sh_4_bands_0_1pct_spread(float v)
+/* The cosine and sine of an angle. */
+static inline void skylight_sh_4_bands_0_1pct_circle(skylight_sh_4_bands_0_1pct_real angle,
+    skylight_sh_4_bands_0_1pct_real *cosine,
+                                      skylight_sh_4_bands_0_1pct_real *sine)
 {
-    const skylight_sh_4_bands_0_1pct_lanes zeros = {0};
-    return v - zeros;
+    /* By the nearest quarter turn and the rest of it: without a branch, which a processor would
+     * have
+       to guess. The rest in double, since the two nearly cancel. */
+    float out[2];
+    uint32_t bits[2], quarter, swapped;
+    int quarters;
+    if (!(angle > -1e5f && angle < 1e5f)) {
+        *cosine = cosf(angle);
+        *sine = sinf(angle);
+        return;
+    }
+    quarters = (int)(angle * 0.636619772f + copysignf(0.5f, angle));
+    skylight_sh_4_bands_0_1pct_quarter((float)((double)angle - (double)quarters *
+        1.5707963267948966), out);
+    memcpy(bits, out, sizeof bits);
+    quarter = (uint32_t)quarters;
+    /* Odd quarters swap the two; each changes its sign in two of four. */
+    swapped = (bits[0] ^ bits[1]) & (0u - (quarter & 1u));
+    bits[0] ^= swapped ^ (((quarter + 1u) & 2u) << 30);
+    bits[1] ^= swapped ^ ((quarter & 2u) << 30);
+    memcpy(cosine, &bits[0], sizeof bits[0]);
+    memcpy(sine, &bits[1], sizeof bits[1]);
 }
-
-static inline skylight_sh_4_bands_0_1pct_lanes skylight_sh_4_bands_0_1pct_load(const float *from)
-{
-    skylight_sh_4_bands_0_1pct_lanes v;
-    memcpy(&v, from, sizeof v);
-    return v;
-}
-
-/* a * b + c. */
-static inline skylight_sh_4_bands_0_1pct_lanes
-    skylight_sh_4_bands_0_1pct_add(skylight_sh_4_bands_0_1pct_lanes a,
-    skylight_sh_4_bands_0_1pct_lanes b,
-                                                skylight_sh_4_bands_0_1pct_lanes c)
-{
-#if defined(__FMA__) && SKYLIGHT_SH_4_BANDS_0_1PCT_LANES == 16
-    return _mm512_fmadd_ps(a, b, c);
-#elif defined(__FMA__) && SKYLIGHT_SH_4_BANDS_0_1PCT_LANES == 8
-    return _mm256_fmadd_ps(a, b, c);
-#else
-    return a * b + c;
-#endif
-}
-
-static inline skylight_sh_4_bands_0_1pct_four skylight_sh_4_bands_0_1pct_spread_four(float v)
-{
-    const skylight_sh_4_bands_0_1pct_four zeros = {0};
-    return v - zeros;
-}
-
-static inline skylight_sh_4_bands_0_1pct_four skylight_sh_4_bands_0_1pct_load_four(const float
-    *from)
-{
-    skylight_sh_4_bands_0_1pct_four v;
-    memcpy(&v, from, sizeof v);
-    return v;
-}
-
-static inline skylight_sh_4_bands_0_1pct_four
-    skylight_sh_4_bands_0_1pct_add_four(skylight_sh_4_bands_0_1pct_four a,
-    skylight_sh_4_bands_0_1pct_four b,
-                                                    skylight_sh_4_bands_0_1pct_four c)
-{
-#ifdef __FMA__
-    return _mm_fmadd_ps(a, b, c);
-#else
-    return a * b + c;
-#endif
-}
-
-static inline void skylight_sh_4_bands_0_1pct_keep(float *to, skylight_sh_4_bands_0_1pct_four v)
-{
-    memcpy(to, &v, sizeof v);
-}
-
-/* Four of the eight numbers of two vectors. */
-#ifdef __clang__
-#define SKYLIGHT_SH_4_BANDS_0_1PCT_PICK(v, w, a, b, c, d) __builtin_shufflevector(v, w, a, b, c, d)
-#else
-#define SKYLIGHT_SH_4_BANDS_0_1PCT_PICK(v, w, a, b, c, d) skylight_sh_4_bands_0_1pct_pick(v, w, a, \
-    b, c, d)
-static inline skylight_sh_4_bands_0_1pct_four
-    skylight_sh_4_bands_0_1pct_pick(skylight_sh_4_bands_0_1pct_four v,
-    skylight_sh_4_bands_0_1pct_four w, int a,
-                                                int b, int c, int d)
-{
-    const skylight_sh_4_bands_0_1pct_order order = {a, b, c, d};
-    return __builtin_shuffle(v, w, order);
-}
-#endif
-#endif
 
 /* One channel's sums, from those of its classes. */
 static inline void skylight_sh_4_bands_0_1pct_mix(skylight_sh_4_bands_0_1pct_real
@@ -886,10 +1192,10 @@ static inline void skylight_sh_4_bands_0_1pct_mix(skylight_sh_4_bands_0_1pct_rea
     int i;
     int k;
     for (i = 0; i < SKYLIGHT_SH_4_BANDS_0_1PCT_WIDTH; ++i)
-        mixed[i] = factors[channel * SKYLIGHT_SH_4_BANDS_0_1PCT_CLASSES] * sums[0][i];
+        mixed[i] = factors[SKYLIGHT_SH_4_BANDS_0_1PCT_FACTOR(channel, 0)] * sums[0][i];
     for (k = 1; k < SKYLIGHT_SH_4_BANDS_0_1PCT_CLASSES; ++k)
         for (i = 0; i < SKYLIGHT_SH_4_BANDS_0_1PCT_WIDTH; ++i)
-            mixed[i] += factors[channel * SKYLIGHT_SH_4_BANDS_0_1PCT_CLASSES + k] * sums[k][i];
+            mixed[i] += factors[SKYLIGHT_SH_4_BANDS_0_1PCT_FACTOR(channel, k)] * sums[k][i];
 }
 
 /* Orders m >= 0 alone are stored: those of a light that is even in y at azimuth 0. */
@@ -931,12 +1237,12 @@ static inline void skylight_sh_4_bands_0_1pct_store(
         skylight_sh_4_bands_0_1pct_four v[SKYLIGHT_SH_4_BANDS_0_1PCT_FOURS];
         for (q = 0; q < SKYLIGHT_SH_4_BANDS_0_1PCT_FOURS; ++q) {
             int k;
-            v[q] = factors[channel * SKYLIGHT_SH_4_BANDS_0_1PCT_CLASSES] *
-                skylight_sh_4_bands_0_1pct_load_four(sums[0] + 4 * q);
+            v[q] = factors[SKYLIGHT_SH_4_BANDS_0_1PCT_FACTOR(channel,
+                0)] * skylight_sh_4_bands_0_1pct_load_four(sums[0] + 4 * q);
             for (k = 1; k < SKYLIGHT_SH_4_BANDS_0_1PCT_CLASSES; ++k)
                 v[q] = skylight_sh_4_bands_0_1pct_add_four(
-                    skylight_sh_4_bands_0_1pct_spread_four(factors[channel *
-                        SKYLIGHT_SH_4_BANDS_0_1PCT_CLASSES + k]),
+                    skylight_sh_4_bands_0_1pct_spread_four(factors
+                        [SKYLIGHT_SH_4_BANDS_0_1PCT_FACTOR(channel, k)]),
                     skylight_sh_4_bands_0_1pct_load_four(sums[k] + 4 * q), v[q]);
         }
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_BAND(l, stores) \
@@ -992,8 +1298,19 @@ static inline void skylight_sh_4_bands_0_1pct_store(
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_BLOCK \
     ((SKYLIGHT_SH_4_BANDS_0_1PCT_VECTORS(SKYLIGHT_SH_4_BANDS_0_1PCT_WIDTH) + \
         SKYLIGHT_SH_4_BANDS_0_1PCT_BLOCKS - 1) / SKYLIGHT_SH_4_BANDS_0_1PCT_BLOCKS)
+/* What is done for each vector of a block: written out, since a compiler that keeps loops keeps
+ * their
+   vectors in memory. */
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_EACH(DO) DO(0) DO(1) DO(2) DO(3) DO(4) DO(5) DO(6) DO(7)
 #endif
 #ifdef SKYLIGHT_SH_4_BANDS_0_1PCT_LANES
+/* All columns at once, as written: gcc would sum one after the other, each step waiting for the one
+   before. */
+#if defined(__GNUC__) && !defined(__clang__) && defined(__SSE__)
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_IN_ORDER(v) __asm__("" : "+x"(v));
+#else
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_IN_ORDER(v)
+#endif
 
 /* One class's sums, for SKYLIGHT_SH_4_BANDS_0_1PCT_BLOCK vectors of each row: over the products of
  * the other axes'
@@ -1005,17 +1322,19 @@ SKYLIGHT_SH_4_BANDS_0_1PCT_INLINE void skylight_sh_4_bands_0_1pct_sum_block(cons
                                               skylight_sh_4_bands_0_1pct_real *sums)
 {
     const skylight_sh_4_bands_0_1pct_lanes power = skylight_sh_4_bands_0_1pct_spread(u);
-    int i, k;
+    int i;
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_CLASS(which, polynomials) \
     if (class_ == (which)) { \
         skylight_sh_4_bands_0_1pct_lanes total[SKYLIGHT_SH_4_BANDS_0_1PCT_BLOCK]; \
-        polynomials \
-        for (k = 0; k < SKYLIGHT_SH_4_BANDS_0_1PCT_BLOCK; ++k) \
-            memcpy(sums + k * SKYLIGHT_SH_4_BANDS_0_1PCT_LANES, &total[k], sizeof total[k]); \
+        polynomials SKYLIGHT_SH_4_BANDS_0_1PCT_EACH(SKYLIGHT_SH_4_BANDS_0_1PCT_SUM) \
     }
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_SUM(k) \
+    if ((k) < SKYLIGHT_SH_4_BANDS_0_1PCT_BLOCK) memcpy(sums + (k) * \
+        SKYLIGHT_SH_4_BANDS_0_1PCT_LANES, &total[k], sizeof total[k]);
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_NOTHING \
-    for (k = 0; k < SKYLIGHT_SH_4_BANDS_0_1PCT_BLOCK; ++k) total[k] = \
-        skylight_sh_4_bands_0_1pct_spread(0);
+    SKYLIGHT_SH_4_BANDS_0_1PCT_EACH(SKYLIGHT_SH_4_BANDS_0_1PCT_ZERO)
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_ZERO(k) \
+    if ((k) < SKYLIGHT_SH_4_BANDS_0_1PCT_BLOCK) total[k] = skylight_sh_4_bands_0_1pct_spread(0);
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_POLYNOMIAL(start, count, other) \
     { \
         const skylight_sh_4_bands_0_1pct_real *term = rows + ((start) + (count) - 1) * \
@@ -1023,24 +1342,36 @@ SKYLIGHT_SH_4_BANDS_0_1PCT_INLINE void skylight_sh_4_bands_0_1pct_sum_block(cons
         const skylight_sh_4_bands_0_1pct_lanes factor = \
             skylight_sh_4_bands_0_1pct_spread(others[other]); \
         skylight_sh_4_bands_0_1pct_lanes sum[SKYLIGHT_SH_4_BANDS_0_1PCT_BLOCK]; \
-        for (k = 0; k < SKYLIGHT_SH_4_BANDS_0_1PCT_BLOCK; ++k) \
-            sum[k] = skylight_sh_4_bands_0_1pct_load(term + k * SKYLIGHT_SH_4_BANDS_0_1PCT_LANES); \
+        SKYLIGHT_SH_4_BANDS_0_1PCT_EACH(SKYLIGHT_SH_4_BANDS_0_1PCT_LAST) \
         for (i = 1; i < (count); ++i) { \
             term -= SKYLIGHT_SH_4_BANDS_0_1PCT_WIDTH; \
-            for (k = 0; k < SKYLIGHT_SH_4_BANDS_0_1PCT_BLOCK; ++k) \
-                sum[k] = skylight_sh_4_bands_0_1pct_add(sum[k], power, \
-                                         skylight_sh_4_bands_0_1pct_load(term + k * \
-                                             SKYLIGHT_SH_4_BANDS_0_1PCT_LANES)); \
+            SKYLIGHT_SH_4_BANDS_0_1PCT_EACH(SKYLIGHT_SH_4_BANDS_0_1PCT_STEP_DOWN) \
         } \
-        for (k = 0; k < SKYLIGHT_SH_4_BANDS_0_1PCT_BLOCK; ++k) SKYLIGHT_SH_4_BANDS_0_1PCT_TOTAL(k) \
+        SKYLIGHT_SH_4_BANDS_0_1PCT_EACH(SKYLIGHT_SH_4_BANDS_0_1PCT_TOTAL) \
     }
-#define SKYLIGHT_SH_4_BANDS_0_1PCT_TOTAL(k) total[k] = skylight_sh_4_bands_0_1pct_add(sum[k], \
-    factor, total[k]);
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_LAST(k) \
+    if ((k) < SKYLIGHT_SH_4_BANDS_0_1PCT_BLOCK) sum[k] = skylight_sh_4_bands_0_1pct_load(term + \
+        (k) * SKYLIGHT_SH_4_BANDS_0_1PCT_LANES);
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_STEP_DOWN(k) \
+    if ((k) < SKYLIGHT_SH_4_BANDS_0_1PCT_BLOCK) { \
+        skylight_sh_4_bands_0_1pct_lanes v = skylight_sh_4_bands_0_1pct_load(term + (k) * \
+            SKYLIGHT_SH_4_BANDS_0_1PCT_LANES); \
+        v = skylight_sh_4_bands_0_1pct_add(sum[k], power, v); \
+        SKYLIGHT_SH_4_BANDS_0_1PCT_IN_ORDER(v) \
+        sum[k] = v; \
+    }
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_TOTAL(k) \
+    if ((k) < SKYLIGHT_SH_4_BANDS_0_1PCT_BLOCK) total[k] = skylight_sh_4_bands_0_1pct_add(sum[k], \
+        factor, total[k]);
     SKYLIGHT_SH_4_BANDS_0_1PCT_POLYNOMIALS(SKYLIGHT_SH_4_BANDS_0_1PCT_CLASS,
         SKYLIGHT_SH_4_BANDS_0_1PCT_NOTHING, SKYLIGHT_SH_4_BANDS_0_1PCT_POLYNOMIAL)
 #undef SKYLIGHT_SH_4_BANDS_0_1PCT_CLASS
 #undef SKYLIGHT_SH_4_BANDS_0_1PCT_NOTHING
 #undef SKYLIGHT_SH_4_BANDS_0_1PCT_POLYNOMIAL
+#undef SKYLIGHT_SH_4_BANDS_0_1PCT_SUM
+#undef SKYLIGHT_SH_4_BANDS_0_1PCT_ZERO
+#undef SKYLIGHT_SH_4_BANDS_0_1PCT_LAST
+#undef SKYLIGHT_SH_4_BANDS_0_1PCT_STEP_DOWN
 #undef SKYLIGHT_SH_4_BANDS_0_1PCT_TOTAL
 }
 
@@ -1186,10 +1517,9 @@ static inline int skylight_sh_4_bands_0_1pct_evaluate(const skylight_sh_4_bands_
         sines[SKYLIGHT_SH_4_BANDS_0_1PCT_BANDS];
     skylight_sh_4_bands_0_1pct_real
         sums[SKYLIGHT_SH_4_BANDS_0_1PCT_CLASSES][SKYLIGHT_SH_4_BANDS_0_1PCT_ROOM];
-    skylight_sh_4_bands_0_1pct_real factors[SKYLIGHT_SH_4_BANDS_0_1PCT_CHANNELS *
-        SKYLIGHT_SH_4_BANDS_0_1PCT_CLASSES];
-    skylight_sh_4_bands_0_1pct_real light = SKYLIGHT_SH_4_BANDS_0_1PCT_EXPOSURE, radius = 1;
-    skylight_sh_4_bands_0_1pct_real early[SKYLIGHT_SH_4_BANDS_0_1PCT_EARLY];
+    skylight_sh_4_bands_0_1pct_real factors[SKYLIGHT_SH_4_BANDS_0_1PCT_FACTORS];
+    skylight_sh_4_bands_0_1pct_real light = SKYLIGHT_SH_4_BANDS_0_1PCT_EXPOSURE, radius = 1, cosine,
+        sine;
     int i, all, status = skylight_sh_4_bands_0_1pct_inputs(inputs, azimuth, x);
     if (status == 2) {
         memset(weights, 0, sizeof(float) * SKYLIGHT_SH_4_BANDS_0_1PCT_CHANNELS *
@@ -1200,23 +1530,18 @@ static inline int skylight_sh_4_bands_0_1pct_evaluate(const skylight_sh_4_bands_
         bands = bands < 1 ? 1 : SKYLIGHT_SH_4_BANDS_0_1PCT_BANDS;
         status = 1;
     }
-    /* First what the library computes: calls keep no registers. */
+    skylight_sh_4_bands_0_1pct_circle((skylight_sh_4_bands_0_1pct_real)azimuth, &cosine, &sine);
     radius = skylight_sh_4_bands_0_1pct_sine(x);
-    skylight_sh_4_bands_0_1pct_waves((skylight_sh_4_bands_0_1pct_real)azimuth, radius, cosines,
-        sines);
+    skylight_sh_4_bands_0_1pct_waves(cosine, sine, radius, cosines, sines);
     skylight_sh_4_bands_0_1pct_first(x, first);
     skylight_sh_4_bands_0_1pct_others(x, others);
-    skylight_sh_4_bands_0_1pct_begin_factors(x, early);
+    skylight_sh_4_bands_0_1pct_factors(x, factors);
+    for (i = 0; i < SKYLIGHT_SH_4_BANDS_0_1PCT_FACTORS; ++i) factors[i] *= light;
     all = bands;
-        skylight_sh_4_bands_0_1pct_sum_class(rows, 0, first, others, all, sums[0]);
-    /* Between sums: what has begun above waits for itself, and there is more to do meanwhile. */
-    skylight_sh_4_bands_0_1pct_end_factors(x, early, factors);
-    for (i = 0; i < SKYLIGHT_SH_4_BANDS_0_1PCT_CHANNELS * SKYLIGHT_SH_4_BANDS_0_1PCT_CLASSES; ++i)
-        factors[i] *= light;
     {
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_CLASS(k) skylight_sh_4_bands_0_1pct_sum_class(rows, k, first, \
     others, all, sums[k]);
-        SKYLIGHT_SH_4_BANDS_0_1PCT_OTHER_CLASSES(SKYLIGHT_SH_4_BANDS_0_1PCT_CLASS)
+        SKYLIGHT_SH_4_BANDS_0_1PCT_ALL_CLASSES(SKYLIGHT_SH_4_BANDS_0_1PCT_CLASS)
 #undef SKYLIGHT_SH_4_BANDS_0_1PCT_CLASS
     }
     skylight_sh_4_bands_0_1pct_store(sums, factors, cosines, sines, all, weights);
@@ -1247,121 +1572,350 @@ static inline int skylight_sh_4_bands_0_1pct_evaluate_one(const skylight_sh_4_ba
         azimuths ? azimuths[sun] : SKYLIGHT_SH_4_BANDS_0_1PCT_AZIMUTH,
                                 SKYLIGHT_SH_4_BANDS_0_1PCT_BANDS, weights);
 }
-#if defined(SKYLIGHT_SH_4_BANDS_0_1PCT_LANES) && SKYLIGHT_SH_4_BANDS_0_1PCT_LANES > 4
-/* As many suns side by side as a vector has numbers. */
-#define SKYLIGHT_SH_4_BANDS_0_1PCT_SUNS SKYLIGHT_SH_4_BANDS_0_1PCT_LANES
+#ifdef SKYLIGHT_SH_4_BANDS_0_1PCT_LANES
+/* Suns that are evaluated side by side, and the vectors that they take. */
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_SUNS 16
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_GROUPS (SKYLIGHT_SH_4_BANDS_0_1PCT_SUNS / \
+    SKYLIGHT_SH_4_BANDS_0_1PCT_LANES)
 
-/* The weights of SKYLIGHT_SH_4_BANDS_0_1PCT_SUNS suns from `start` on, a row a weight; returns the
- * largest status. */
-static inline int skylight_sh_4_bands_0_1pct_evaluate_suns(
-    const skylight_sh_4_bands_0_1pct_real *rows,
-        const float *const inputs[SKYLIGHT_SH_4_BANDS_0_1PCT_AXES],
-    const float *azimuths, int start,
-    float out[SKYLIGHT_SH_4_BANDS_0_1PCT_CHANNELS *
-        SKYLIGHT_SH_4_BANDS_0_1PCT_WEIGHTS][SKYLIGHT_SH_4_BANDS_0_1PCT_SUNS])
+/* Cosines and sines of angles side by side, as skylight_sh_4_bands_0_1pct_circle has them. */
+static inline void skylight_sh_4_bands_0_1pct_circle_suns(const float *angles, float *cosines,
+    float *sines)
 {
-    static const short columns[SKYLIGHT_SH_4_BANDS_0_1PCT_BANDS] =
-        SKYLIGHT_SH_4_BANDS_0_1PCT_COLUMNS;
-    float x[SKYLIGHT_SH_4_BANDS_0_1PCT_SUNS][SKYLIGHT_SH_4_BANDS_0_1PCT_AXES],
-        light[SKYLIGHT_SH_4_BANDS_0_1PCT_SUNS], u[SKYLIGHT_SH_4_BANDS_0_1PCT_SUNS];
-    float others[SKYLIGHT_SH_4_BANDS_0_1PCT_OTHERS][SKYLIGHT_SH_4_BANDS_0_1PCT_SUNS];
-    float factors[SKYLIGHT_SH_4_BANDS_0_1PCT_FACTORS][SKYLIGHT_SH_4_BANDS_0_1PCT_SUNS];
-    float cosines[SKYLIGHT_SH_4_BANDS_0_1PCT_BANDS][SKYLIGHT_SH_4_BANDS_0_1PCT_SUNS],
-        sines[SKYLIGHT_SH_4_BANDS_0_1PCT_BANDS][SKYLIGHT_SH_4_BANDS_0_1PCT_SUNS];
-    skylight_sh_4_bands_0_1pct_lanes
-        sums[SKYLIGHT_SH_4_BANDS_0_1PCT_CLASSES][SKYLIGHT_SH_4_BANDS_0_1PCT_WIDTH];
-    int s, i, k, l, m, channel, worst = 0;
+    float rest[SKYLIGHT_SH_4_BANDS_0_1PCT_LANES];
+    uint32_t bits[2][SKYLIGHT_SH_4_BANDS_0_1PCT_LANES], quarter[SKYLIGHT_SH_4_BANDS_0_1PCT_LANES];
+    skylight_sh_4_bands_0_1pct_lanes out[2];
+    int s, far = 0;
+    for (s = 0; s < SKYLIGHT_SH_4_BANDS_0_1PCT_LANES; ++s) far |= !(angles[s] > -1e5f && angles[s] <
+        1e5f);
+    if (far) {
+        for (s = 0; s < SKYLIGHT_SH_4_BANDS_0_1PCT_LANES; ++s)
+            skylight_sh_4_bands_0_1pct_circle(angles[s], cosines + s, sines + s);
+        return;
+    }
+    for (s = 0; s < SKYLIGHT_SH_4_BANDS_0_1PCT_LANES; ++s) {
+        const int quarters = (int)(angles[s] * 0.636619772f + copysignf(0.5f, angles[s]));
+        rest[s] = (float)((double)angles[s] - (double)quarters * 1.5707963267948966);
+        quarter[s] = (uint32_t)quarters;
+    }
+    skylight_sh_4_bands_0_1pct_quarter_suns(skylight_sh_4_bands_0_1pct_load(rest), out);
+    memcpy(bits, out, sizeof bits);
+    for (s = 0; s < SKYLIGHT_SH_4_BANDS_0_1PCT_LANES; ++s) {
+        const uint32_t swapped = (bits[0][s] ^ bits[1][s]) & (0u - (quarter[s] & 1u));
+        bits[0][s] ^= swapped ^ (((quarter[s] + 1u) & 2u) << 30);
+        bits[1][s] ^= swapped ^ ((quarter[s] & 2u) << 30);
+    }
+    memcpy(cosines, bits[0], sizeof bits[0]);
+    memcpy(sines, bits[1], sizeof bits[1]);
+}
+
+/* Reads SKYLIGHT_SH_4_BANDS_0_1PCT_SUNS suns from `start` on: clamped inputs, azimuths, what light
+ * each leaves.
+   Returns the largest status; a sun of status 2 has no light. */
+static inline int skylight_sh_4_bands_0_1pct_inputs_suns(const float *const
+    inputs[SKYLIGHT_SH_4_BANDS_0_1PCT_AXES],
+                                          const float *azimuths, int start,
+                                          float
+                                              x[SKYLIGHT_SH_4_BANDS_0_1PCT_AXES]
+                                              [SKYLIGHT_SH_4_BANDS_0_1PCT_SUNS],
+                                          float *azimuth, float *light)
+{
+    int axis, s, status = 0, strange = 0;
     for (s = 0; s < SKYLIGHT_SH_4_BANDS_0_1PCT_SUNS; ++s) {
-        float given[SKYLIGHT_SH_4_BANDS_0_1PCT_AXES], plus[SKYLIGHT_SH_4_BANDS_0_1PCT_BANDS],
-            minus[SKYLIGHT_SH_4_BANDS_0_1PCT_BANDS];
-        float azimuth = azimuths ? azimuths[start + s] : SKYLIGHT_SH_4_BANDS_0_1PCT_AZIMUTH,
-            radius = 1.0f;
-        int status;
-        for (i = 0; i < SKYLIGHT_SH_4_BANDS_0_1PCT_AXES; ++i) given[i] = inputs[i][start + s];
-        status = skylight_sh_4_bands_0_1pct_inputs(given, azimuth, x[s]);
-        worst = status > worst ? status : worst;
+        azimuth[s] = azimuths ? azimuths[start + s] : SKYLIGHT_SH_4_BANDS_0_1PCT_AZIMUTH;
         light[s] = SKYLIGHT_SH_4_BANDS_0_1PCT_EXPOSURE;
-        if (status == 2) {
-            light[s] = azimuth = 0.0f;
-            for (i = 0; i < SKYLIGHT_SH_4_BANDS_0_1PCT_AXES; ++i) x[s][i] =
-                skylight_sh_4_bands_0_1pct_range[i][0];
+        strange |= skylight_sh_4_bands_0_1pct_kind(azimuth[s]);
+    }
+    for (axis = 0; axis < SKYLIGHT_SH_4_BANDS_0_1PCT_AXES; ++axis) {
+        const float low = skylight_sh_4_bands_0_1pct_range[axis][0],
+            high = skylight_sh_4_bands_0_1pct_range[axis][1];
+        for (s = 0; s < SKYLIGHT_SH_4_BANDS_0_1PCT_SUNS; ++s) {
+            const float v = inputs[axis][start + s], at_least = v < low ? low : v;
+            strange |= skylight_sh_4_bands_0_1pct_kind(v);
+            status |= (v < skylight_sh_4_bands_0_1pct_inside[axis][0]) | (v >
+                skylight_sh_4_bands_0_1pct_inside[axis][1]);
+            x[axis][s] = at_least > high ? high : at_least;
         }
-        radius = skylight_sh_4_bands_0_1pct_sine(x[s]);
-        skylight_sh_4_bands_0_1pct_waves(azimuth, radius, plus, minus);
-        for (m = 0; m < SKYLIGHT_SH_4_BANDS_0_1PCT_BANDS; ++m) {
-            cosines[m][s] = plus[m];
-            sines[m][s] = minus[m];
+    }
+    if (strange) {
+        for (s = 0; s < SKYLIGHT_SH_4_BANDS_0_1PCT_SUNS; ++s) {
+            float given[SKYLIGHT_SH_4_BANDS_0_1PCT_AXES], clamped[SKYLIGHT_SH_4_BANDS_0_1PCT_AXES];
+            int found;
+            for (axis = 0; axis < SKYLIGHT_SH_4_BANDS_0_1PCT_AXES; ++axis) given[axis] =
+                inputs[axis][start + s];
+            found = skylight_sh_4_bands_0_1pct_inputs(given, azimuth[s], clamped);
+            if (found == 2) light[s] = azimuth[s] = 0.0f;
+            for (axis = 0; axis < SKYLIGHT_SH_4_BANDS_0_1PCT_AXES; ++axis)
+                x[axis][s] = found == 2 ? skylight_sh_4_bands_0_1pct_range[axis][0] : clamped[axis];
+            status = found > status ? found : status;
         }
     }
-    for (s = 0; s < SKYLIGHT_SH_4_BANDS_0_1PCT_SUNS; ++s) {
-        float first[SKYLIGHT_SH_4_BANDS_0_1PCT_FIRST], products[SKYLIGHT_SH_4_BANDS_0_1PCT_OTHERS];
-        skylight_sh_4_bands_0_1pct_first(x[s], first);
-        skylight_sh_4_bands_0_1pct_others(x[s], products);
-        u[s] = first[1];
-        for (i = 0; i < SKYLIGHT_SH_4_BANDS_0_1PCT_OTHERS; ++i) others[i][s] = products[i];
-    }
-    for (s = 0; s < SKYLIGHT_SH_4_BANDS_0_1PCT_SUNS; ++s) {
-        float early[SKYLIGHT_SH_4_BANDS_0_1PCT_EARLY], found[SKYLIGHT_SH_4_BANDS_0_1PCT_FACTORS];
-        skylight_sh_4_bands_0_1pct_begin_factors(x[s], early);
-        skylight_sh_4_bands_0_1pct_end_factors(x[s], early, found);
-        for (i = 0; i < SKYLIGHT_SH_4_BANDS_0_1PCT_FACTORS; ++i) factors[i][s] = found[i] *
-            light[s];
-    }
+    return status;
+}
+
+/* The sums of suns side by side: of each class and number of a row, over the products of the other
+   axes' functions, each times a polynomial in powers of u. */
+static inline void skylight_sh_4_bands_0_1pct_sum_suns(
+    const skylight_sh_4_bands_0_1pct_real *rows,
+        const skylight_sh_4_bands_0_1pct_lanes u[SKYLIGHT_SH_4_BANDS_0_1PCT_GROUPS],
+    skylight_sh_4_bands_0_1pct_lanes
+        others[SKYLIGHT_SH_4_BANDS_0_1PCT_GROUPS][SKYLIGHT_SH_4_BANDS_0_1PCT_OTHERS],
+    skylight_sh_4_bands_0_1pct_lanes
+        sums[SKYLIGHT_SH_4_BANDS_0_1PCT_CLASSES][SKYLIGHT_SH_4_BANDS_0_1PCT_WIDTH]
+        [SKYLIGHT_SH_4_BANDS_0_1PCT_GROUPS])
+{
+    int i, t;
     for (i = 0; i < SKYLIGHT_SH_4_BANDS_0_1PCT_WIDTH; ++i) {
-        const skylight_sh_4_bands_0_1pct_lanes power = skylight_sh_4_bands_0_1pct_load(u);
-        int t;
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_CLASS(which, polynomials) \
     { \
-        skylight_sh_4_bands_0_1pct_lanes total; \
-        polynomials sums[which][i] = total; \
+        const int which_class = (which); \
+        skylight_sh_4_bands_0_1pct_lanes total[SKYLIGHT_SH_4_BANDS_0_1PCT_GROUPS]; \
+        polynomials SKYLIGHT_SH_4_BANDS_0_1PCT_EACH(SKYLIGHT_SH_4_BANDS_0_1PCT_SUM) \
     }
-#define SKYLIGHT_SH_4_BANDS_0_1PCT_NOTHING total = skylight_sh_4_bands_0_1pct_spread(0);
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_SUM(g) \
+    if ((g) < SKYLIGHT_SH_4_BANDS_0_1PCT_GROUPS) sums[which_class][i][g] = total[g];
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_NOTHING \
+    SKYLIGHT_SH_4_BANDS_0_1PCT_EACH(SKYLIGHT_SH_4_BANDS_0_1PCT_ZERO)
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_ZERO(g) \
+    if ((g) < SKYLIGHT_SH_4_BANDS_0_1PCT_GROUPS) total[g] = skylight_sh_4_bands_0_1pct_spread(0);
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_POLYNOMIAL(begin, count, other) \
     { \
         const float *term = rows + ((begin) + (count) - 1) * SKYLIGHT_SH_4_BANDS_0_1PCT_WIDTH + i; \
-        skylight_sh_4_bands_0_1pct_lanes sum = skylight_sh_4_bands_0_1pct_spread(*term); \
+        skylight_sh_4_bands_0_1pct_lanes sum[SKYLIGHT_SH_4_BANDS_0_1PCT_GROUPS], number = \
+            skylight_sh_4_bands_0_1pct_spread(*term); \
+        SKYLIGHT_SH_4_BANDS_0_1PCT_EACH(SKYLIGHT_SH_4_BANDS_0_1PCT_LAST) \
         for (t = 1; t < (count); ++t) { \
             term -= SKYLIGHT_SH_4_BANDS_0_1PCT_WIDTH; \
-            sum = skylight_sh_4_bands_0_1pct_add(sum, power, \
-                skylight_sh_4_bands_0_1pct_spread(*term)); \
+            number = skylight_sh_4_bands_0_1pct_spread(*term); \
+            SKYLIGHT_SH_4_BANDS_0_1PCT_EACH(SKYLIGHT_SH_4_BANDS_0_1PCT_STEP_DOWN) \
         } \
-        total = skylight_sh_4_bands_0_1pct_add(sum, \
-            skylight_sh_4_bands_0_1pct_load(others[other]), total); \
+        { \
+            const int which_other = (other); \
+            SKYLIGHT_SH_4_BANDS_0_1PCT_EACH(SKYLIGHT_SH_4_BANDS_0_1PCT_TOTAL) \
+        } \
     }
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_LAST(g) \
+    if ((g) < SKYLIGHT_SH_4_BANDS_0_1PCT_GROUPS) sum[g] = number;
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_STEP_DOWN(g) \
+    if ((g) < SKYLIGHT_SH_4_BANDS_0_1PCT_GROUPS) { \
+        skylight_sh_4_bands_0_1pct_lanes v = skylight_sh_4_bands_0_1pct_add(sum[g], u[g], number); \
+        SKYLIGHT_SH_4_BANDS_0_1PCT_IN_ORDER(v) \
+        sum[g] = v; \
+    }
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_TOTAL(g) \
+    if ((g) < SKYLIGHT_SH_4_BANDS_0_1PCT_GROUPS) total[g] = skylight_sh_4_bands_0_1pct_add(sum[g], \
+        others[g][which_other], total[g]);
         SKYLIGHT_SH_4_BANDS_0_1PCT_POLYNOMIALS(SKYLIGHT_SH_4_BANDS_0_1PCT_CLASS,
             SKYLIGHT_SH_4_BANDS_0_1PCT_NOTHING, SKYLIGHT_SH_4_BANDS_0_1PCT_POLYNOMIAL)
 #undef SKYLIGHT_SH_4_BANDS_0_1PCT_CLASS
 #undef SKYLIGHT_SH_4_BANDS_0_1PCT_NOTHING
 #undef SKYLIGHT_SH_4_BANDS_0_1PCT_POLYNOMIAL
+#undef SKYLIGHT_SH_4_BANDS_0_1PCT_SUM
+#undef SKYLIGHT_SH_4_BANDS_0_1PCT_ZERO
+#undef SKYLIGHT_SH_4_BANDS_0_1PCT_LAST
+#undef SKYLIGHT_SH_4_BANDS_0_1PCT_STEP_DOWN
+#undef SKYLIGHT_SH_4_BANDS_0_1PCT_TOTAL
     }
+}
+
+/* Whether all suns share the other axes: a day in one weather. */
+static inline int skylight_sh_4_bands_0_1pct_share(const float *const
+    inputs[SKYLIGHT_SH_4_BANDS_0_1PCT_AXES], int count)
+{
+    int axis, s, differ = 0;
+    for (axis = 1; axis < SKYLIGHT_SH_4_BANDS_0_1PCT_AXES; ++axis)
+        for (s = 1; s < count && !differ; ++s) differ = !(inputs[axis][s] == inputs[axis][0]);
+    return !differ;
+}
+
+/* Sums the rows over the other axes' functions at the first sun once for all: of each class a row
+ * for
+   each power of u. */
+static inline void skylight_sh_4_bands_0_1pct_sum_shared(const skylight_sh_4_bands_0_1pct_real
+    *rows,
+                                          const float *const
+                                              inputs[SKYLIGHT_SH_4_BANDS_0_1PCT_AXES],
+                                          float
+                                              shared[SKYLIGHT_SH_4_BANDS_0_1PCT_SHARED]
+                                              [SKYLIGHT_SH_4_BANDS_0_1PCT_WIDTH])
+{
+    static const unsigned short before[SKYLIGHT_SH_4_BANDS_0_1PCT_CLASSES] =
+        SKYLIGHT_SH_4_BANDS_0_1PCT_BEFORE;
+    float given[SKYLIGHT_SH_4_BANDS_0_1PCT_AXES], x[SKYLIGHT_SH_4_BANDS_0_1PCT_AXES],
+        others[SKYLIGHT_SH_4_BANDS_0_1PCT_OTHERS];
+    int axis, i, t;
+    for (axis = 0; axis < SKYLIGHT_SH_4_BANDS_0_1PCT_AXES; ++axis) given[axis] = inputs[axis][0];
+    for (t = 0; t < SKYLIGHT_SH_4_BANDS_0_1PCT_SHARED; ++t)
+        for (i = 0; i < SKYLIGHT_SH_4_BANDS_0_1PCT_WIDTH; ++i) shared[t][i] = 0.0f;
+    /* The first axis is another matter: it is inside. */
+    given[0] = skylight_sh_4_bands_0_1pct_range[0][0];
+    if (skylight_sh_4_bands_0_1pct_inputs(given, 0.0f, x) == 2) return;
+    skylight_sh_4_bands_0_1pct_others(x, others);
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_CLASS(which, polynomials) \
+    { \
+        const int place = before[which]; \
+        polynomials \
+    }
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_NOTHING
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_POLYNOMIAL(begin, count, other) \
+    for (t = 0; t < (count); ++t) \
+        for (i = 0; i < SKYLIGHT_SH_4_BANDS_0_1PCT_WIDTH; ++i) \
+            shared[place + t][i] += others[other] * rows[((begin) + t) * \
+                SKYLIGHT_SH_4_BANDS_0_1PCT_WIDTH + i];
+    SKYLIGHT_SH_4_BANDS_0_1PCT_POLYNOMIALS(SKYLIGHT_SH_4_BANDS_0_1PCT_CLASS,
+        SKYLIGHT_SH_4_BANDS_0_1PCT_NOTHING, SKYLIGHT_SH_4_BANDS_0_1PCT_POLYNOMIAL)
+#undef SKYLIGHT_SH_4_BANDS_0_1PCT_CLASS
+#undef SKYLIGHT_SH_4_BANDS_0_1PCT_NOTHING
+#undef SKYLIGHT_SH_4_BANDS_0_1PCT_POLYNOMIAL
+}
+
+/* The sums of suns side by side that share the other axes: polynomials in powers of u alone. */
+static inline void skylight_sh_4_bands_0_1pct_sum_sharing(
+    float shared[SKYLIGHT_SH_4_BANDS_0_1PCT_SHARED][SKYLIGHT_SH_4_BANDS_0_1PCT_WIDTH],
+        const skylight_sh_4_bands_0_1pct_lanes u[SKYLIGHT_SH_4_BANDS_0_1PCT_GROUPS],
+    skylight_sh_4_bands_0_1pct_lanes
+        sums[SKYLIGHT_SH_4_BANDS_0_1PCT_CLASSES][SKYLIGHT_SH_4_BANDS_0_1PCT_WIDTH]
+        [SKYLIGHT_SH_4_BANDS_0_1PCT_GROUPS])
+{
+    static const unsigned char longest[SKYLIGHT_SH_4_BANDS_0_1PCT_CLASSES] =
+        SKYLIGHT_SH_4_BANDS_0_1PCT_LONGEST;
+    int c, i, t, row = 0;
+    for (c = 0; c < SKYLIGHT_SH_4_BANDS_0_1PCT_CLASSES; ++c) {
+        const int last = row + longest[c] - 1;
+        for (i = 0; i < SKYLIGHT_SH_4_BANDS_0_1PCT_WIDTH; ++i) {
+            skylight_sh_4_bands_0_1pct_lanes sum[SKYLIGHT_SH_4_BANDS_0_1PCT_GROUPS];
+            skylight_sh_4_bands_0_1pct_lanes number = skylight_sh_4_bands_0_1pct_spread(last < row ?
+                0.0f : shared[last][i]);
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_LAST(g) \
+    if ((g) < SKYLIGHT_SH_4_BANDS_0_1PCT_GROUPS) sum[g] = number;
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_STEP_DOWN(g) \
+    if ((g) < SKYLIGHT_SH_4_BANDS_0_1PCT_GROUPS) sum[g] = skylight_sh_4_bands_0_1pct_add(sum[g], \
+        u[g], number);
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_SUM(g) \
+    if ((g) < SKYLIGHT_SH_4_BANDS_0_1PCT_GROUPS) sums[c][i][g] = sum[g];
+            SKYLIGHT_SH_4_BANDS_0_1PCT_EACH(SKYLIGHT_SH_4_BANDS_0_1PCT_LAST)
+            for (t = last - 1; t >= row; --t) {
+                number = skylight_sh_4_bands_0_1pct_spread(shared[t][i]);
+                SKYLIGHT_SH_4_BANDS_0_1PCT_EACH(SKYLIGHT_SH_4_BANDS_0_1PCT_STEP_DOWN)
+            }
+            SKYLIGHT_SH_4_BANDS_0_1PCT_EACH(SKYLIGHT_SH_4_BANDS_0_1PCT_SUM)
+#undef SKYLIGHT_SH_4_BANDS_0_1PCT_LAST
+#undef SKYLIGHT_SH_4_BANDS_0_1PCT_STEP_DOWN
+#undef SKYLIGHT_SH_4_BANDS_0_1PCT_SUM
+        }
+        row = last + 1;
+    }
+}
+
+/* The weights of SKYLIGHT_SH_4_BANDS_0_1PCT_SUNS suns from `start` on, a row a weight, rows `step`
+ * apart; returns the
+   largest status. `shared` are the sums over the other axes where all suns share them,
+       or nothing. */
+static inline int skylight_sh_4_bands_0_1pct_evaluate_suns(const skylight_sh_4_bands_0_1pct_real
+    *rows,
+                                            const float *const
+                                                inputs[SKYLIGHT_SH_4_BANDS_0_1PCT_AXES],
+                                            const float *azimuths, int start,
+                                            float (*shared)[SKYLIGHT_SH_4_BANDS_0_1PCT_WIDTH],
+                                                float *out,
+                                            size_t step)
+{
+    static const short columns[SKYLIGHT_SH_4_BANDS_0_1PCT_BANDS] =
+        SKYLIGHT_SH_4_BANDS_0_1PCT_COLUMNS;
+    float given[SKYLIGHT_SH_4_BANDS_0_1PCT_AXES][SKYLIGHT_SH_4_BANDS_0_1PCT_SUNS],
+        azimuth[SKYLIGHT_SH_4_BANDS_0_1PCT_SUNS];
+    float light[SKYLIGHT_SH_4_BANDS_0_1PCT_SUNS], cosine[SKYLIGHT_SH_4_BANDS_0_1PCT_SUNS],
+        sine[SKYLIGHT_SH_4_BANDS_0_1PCT_SUNS];
+    skylight_sh_4_bands_0_1pct_lanes u[SKYLIGHT_SH_4_BANDS_0_1PCT_GROUPS],
+        others[SKYLIGHT_SH_4_BANDS_0_1PCT_GROUPS][SKYLIGHT_SH_4_BANDS_0_1PCT_OTHERS];
+    skylight_sh_4_bands_0_1pct_lanes
+        factors[SKYLIGHT_SH_4_BANDS_0_1PCT_GROUPS][SKYLIGHT_SH_4_BANDS_0_1PCT_FACTORS];
+    skylight_sh_4_bands_0_1pct_lanes
+        cosines[SKYLIGHT_SH_4_BANDS_0_1PCT_GROUPS][SKYLIGHT_SH_4_BANDS_0_1PCT_BANDS];
+    skylight_sh_4_bands_0_1pct_lanes
+        sines[SKYLIGHT_SH_4_BANDS_0_1PCT_GROUPS][SKYLIGHT_SH_4_BANDS_0_1PCT_BANDS];
+    skylight_sh_4_bands_0_1pct_lanes
+        sums[SKYLIGHT_SH_4_BANDS_0_1PCT_CLASSES][SKYLIGHT_SH_4_BANDS_0_1PCT_WIDTH]
+        [SKYLIGHT_SH_4_BANDS_0_1PCT_GROUPS];
+    const int status = skylight_sh_4_bands_0_1pct_inputs_suns(inputs, azimuths, start, given,
+        azimuth, light);
+    int g, i, k, l, m, channel;
+    for (g = 0; g < SKYLIGHT_SH_4_BANDS_0_1PCT_GROUPS; ++g) {
+        const int at = g * SKYLIGHT_SH_4_BANDS_0_1PCT_LANES;
+        skylight_sh_4_bands_0_1pct_lanes x[SKYLIGHT_SH_4_BANDS_0_1PCT_AXES],
+            first[SKYLIGHT_SH_4_BANDS_0_1PCT_FIRST];
+        skylight_sh_4_bands_0_1pct_lanes radius = skylight_sh_4_bands_0_1pct_spread(1);
+        for (i = 0; i < SKYLIGHT_SH_4_BANDS_0_1PCT_AXES; ++i) x[i] =
+            skylight_sh_4_bands_0_1pct_load(given[i] + at);
+        skylight_sh_4_bands_0_1pct_circle_suns(azimuth + at, cosine + at, sine + at);
+        radius = skylight_sh_4_bands_0_1pct_sine_suns(x);
+        skylight_sh_4_bands_0_1pct_waves_suns(skylight_sh_4_bands_0_1pct_load(cosine + at),
+            skylight_sh_4_bands_0_1pct_load(sine + at), radius,
+                               cosines[g], sines[g]);
+        skylight_sh_4_bands_0_1pct_first_suns(x, first);
+        u[g] = first[1];
+        skylight_sh_4_bands_0_1pct_others_suns(x, others[g]);
+        skylight_sh_4_bands_0_1pct_factors_suns(x, factors[g]);
+        for (i = 0; i < SKYLIGHT_SH_4_BANDS_0_1PCT_FACTORS; ++i) factors[g][i] *=
+            skylight_sh_4_bands_0_1pct_load(light + at);
+    }
+    if (shared)
+        skylight_sh_4_bands_0_1pct_sum_sharing(shared, u, sums);
+    else
+        skylight_sh_4_bands_0_1pct_sum_suns(rows, u, others, sums);
     for (channel = 0; channel < SKYLIGHT_SH_4_BANDS_0_1PCT_CHANNELS; ++channel) {
         for (l = 0; l < SKYLIGHT_SH_4_BANDS_0_1PCT_BANDS; ++l) {
-            float(*const w)[SKYLIGHT_SH_4_BANDS_0_1PCT_SUNS] = out + channel *
-                SKYLIGHT_SH_4_BANDS_0_1PCT_WEIGHTS + l * (l + 1);
+            float *const w = out + (size_t)(channel * SKYLIGHT_SH_4_BANDS_0_1PCT_WEIGHTS + l * (l +
+                1)) * step;
             for (m = 0; m <= l; ++m) {
-                skylight_sh_4_bands_0_1pct_lanes v = skylight_sh_4_bands_0_1pct_spread(0);
-                if (columns[l] >= 0) {
-                    for (k = 0; k < SKYLIGHT_SH_4_BANDS_0_1PCT_CLASSES; ++k)
-                        v = skylight_sh_4_bands_0_1pct_add(
-                            skylight_sh_4_bands_0_1pct_load(factors[channel *
-                                SKYLIGHT_SH_4_BANDS_0_1PCT_CLASSES + k]),
-                            sums[k][columns[l] + m], v);
-                }
-                {
-                    const skylight_sh_4_bands_0_1pct_lanes plus = v *
-                        skylight_sh_4_bands_0_1pct_load(cosines[m]);
-                    const skylight_sh_4_bands_0_1pct_lanes minus = v *
-                        skylight_sh_4_bands_0_1pct_load(sines[m]);
-                    memcpy(w[-m], &minus, sizeof minus);
-                    memcpy(w[m], &plus, sizeof plus);
+                for (g = 0; g < SKYLIGHT_SH_4_BANDS_0_1PCT_GROUPS; ++g) {
+                    skylight_sh_4_bands_0_1pct_lanes v = skylight_sh_4_bands_0_1pct_spread(0),
+                        turned;
+                    if (columns[l] >= 0) {
+                        for (k = 0; k < SKYLIGHT_SH_4_BANDS_0_1PCT_CLASSES; ++k)
+                            v = skylight_sh_4_bands_0_1pct_add(factors[g]
+                                [SKYLIGHT_SH_4_BANDS_0_1PCT_FACTOR(channel, k)],
+                                                sums[k][columns[l] + m][g], v);
+                    }
+                    turned = v * sines[g][m];
+                    memcpy(w - (size_t)m * step + g * SKYLIGHT_SH_4_BANDS_0_1PCT_LANES, &turned,
+                        sizeof turned);
+                    turned = v * cosines[g][m];
+                    memcpy(w + (size_t)m * step + g * SKYLIGHT_SH_4_BANDS_0_1PCT_LANES, &turned,
+                        sizeof turned);
                 }
             }
         }
     }
     (void)k;
-    return worst;
+    return status;
+}
+
+/* Four rows of four numbers to columns, `step` apart. */
+static inline void skylight_sh_4_bands_0_1pct_transpose(const float *from, size_t step, float *to,
+    size_t between)
+{
+    const skylight_sh_4_bands_0_1pct_four a = skylight_sh_4_bands_0_1pct_load_four(from),
+        b = skylight_sh_4_bands_0_1pct_load_four(from + step);
+    const skylight_sh_4_bands_0_1pct_four c = skylight_sh_4_bands_0_1pct_load_four(from + 2 * step);
+    const skylight_sh_4_bands_0_1pct_four d = skylight_sh_4_bands_0_1pct_load_four(from + 3 * step);
+    const skylight_sh_4_bands_0_1pct_four ab = SKYLIGHT_SH_4_BANDS_0_1PCT_PICK(a, b, 0, 4, 1, 5);
+    const skylight_sh_4_bands_0_1pct_four cd = SKYLIGHT_SH_4_BANDS_0_1PCT_PICK(c, d, 0, 4, 1, 5);
+    const skylight_sh_4_bands_0_1pct_four ab_2 = SKYLIGHT_SH_4_BANDS_0_1PCT_PICK(a, b, 2, 6, 3, 7);
+    const skylight_sh_4_bands_0_1pct_four cd_2 = SKYLIGHT_SH_4_BANDS_0_1PCT_PICK(c, d, 2, 6, 3, 7);
+    skylight_sh_4_bands_0_1pct_keep(to, SKYLIGHT_SH_4_BANDS_0_1PCT_PICK(ab, cd, 0, 1, 4, 5));
+    skylight_sh_4_bands_0_1pct_keep(to + between, SKYLIGHT_SH_4_BANDS_0_1PCT_PICK(ab, cd, 2, 3, 6,
+        7));
+    skylight_sh_4_bands_0_1pct_keep(to + 2 * between, SKYLIGHT_SH_4_BANDS_0_1PCT_PICK(ab_2, cd_2, 0,
+        1, 4, 5));
+    skylight_sh_4_bands_0_1pct_keep(to + 3 * between, SKYLIGHT_SH_4_BANDS_0_1PCT_PICK(ab_2, cd_2, 2,
+        3, 6, 7));
 }
 #endif
+
+/* Numbers of one sun's weights. */
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_NUMBERS (SKYLIGHT_SH_4_BANDS_0_1PCT_CHANNELS * \
+    SKYLIGHT_SH_4_BANDS_0_1PCT_WEIGHTS)
 
 /* Evaluates `count` suns from arrays, one an axis, and one of azimuths (or none, where the table
    fixes it); returns the largest status. */
@@ -1371,8 +1925,32 @@ static inline int skylight_sh_4_bands_0_1pct_evaluate_batch(
     const float *azimuths, float
         (*weights)[SKYLIGHT_SH_4_BANDS_0_1PCT_CHANNELS][SKYLIGHT_SH_4_BANDS_0_1PCT_WEIGHTS])
 {
-    int s, status, worst = 0;
-    for (s = 0; s < count; ++s) {
+    int s = 0, status, worst = 0;
+#ifdef SKYLIGHT_SH_4_BANDS_0_1PCT_SUNS
+    float shared[SKYLIGHT_SH_4_BANDS_0_1PCT_SHARED][SKYLIGHT_SH_4_BANDS_0_1PCT_WIDTH];
+    const int share = count >= SKYLIGHT_SH_4_BANDS_0_1PCT_SUNS &&
+        skylight_sh_4_bands_0_1pct_share(inputs, count);
+    if (share) skylight_sh_4_bands_0_1pct_sum_shared(rows, inputs, shared);
+    for (; s + SKYLIGHT_SH_4_BANDS_0_1PCT_SUNS <= count; s += SKYLIGHT_SH_4_BANDS_0_1PCT_SUNS) {
+        float out[SKYLIGHT_SH_4_BANDS_0_1PCT_NUMBERS * SKYLIGHT_SH_4_BANDS_0_1PCT_SUNS];
+        int i, k;
+        status = skylight_sh_4_bands_0_1pct_evaluate_suns(rows, inputs, azimuths, s,
+            share ? shared : 0, out,
+                                           SKYLIGHT_SH_4_BANDS_0_1PCT_SUNS);
+        worst = status > worst ? status : worst;
+        /* In fours; the last may overlap those before. */
+        for (i = 0; i < SKYLIGHT_SH_4_BANDS_0_1PCT_NUMBERS; i += 4) {
+            const int at = i + 4 > SKYLIGHT_SH_4_BANDS_0_1PCT_NUMBERS ?
+                SKYLIGHT_SH_4_BANDS_0_1PCT_NUMBERS - 4 : i;
+            for (k = 0; k < SKYLIGHT_SH_4_BANDS_0_1PCT_SUNS; k += 4)
+                skylight_sh_4_bands_0_1pct_transpose(out + at * SKYLIGHT_SH_4_BANDS_0_1PCT_SUNS + k,
+                    SKYLIGHT_SH_4_BANDS_0_1PCT_SUNS,
+                                      &weights[s + k][0][0] + at,
+                                          SKYLIGHT_SH_4_BANDS_0_1PCT_NUMBERS);
+        }
+    }
+#endif
+    for (; s < count; ++s) {
         status = skylight_sh_4_bands_0_1pct_evaluate_one(rows, inputs, azimuths, s, weights[s]);
         worst = status > worst ? status : worst;
     }
@@ -1389,14 +1967,32 @@ static inline int skylight_sh_4_bands_0_1pct_evaluate_columns(const skylight_sh_
     const size_t step = count > 0 ? (size_t)count : 0;
     int s = 0, i, status, worst = 0;
 #ifdef SKYLIGHT_SH_4_BANDS_0_1PCT_SUNS
-    for (; s + SKYLIGHT_SH_4_BANDS_0_1PCT_SUNS <= count; s += SKYLIGHT_SH_4_BANDS_0_1PCT_SUNS) {
-        float out[SKYLIGHT_SH_4_BANDS_0_1PCT_CHANNELS *
-            SKYLIGHT_SH_4_BANDS_0_1PCT_WEIGHTS][SKYLIGHT_SH_4_BANDS_0_1PCT_SUNS];
-        status = skylight_sh_4_bands_0_1pct_evaluate_suns(rows, inputs, azimuths, s, out);
-        worst = status > worst ? status : worst;
-        for (i = 0; i < SKYLIGHT_SH_4_BANDS_0_1PCT_CHANNELS * SKYLIGHT_SH_4_BANDS_0_1PCT_WEIGHTS;
-            ++i)
+    float shared[SKYLIGHT_SH_4_BANDS_0_1PCT_SHARED][SKYLIGHT_SH_4_BANDS_0_1PCT_WIDTH];
+    const int share = count >= SKYLIGHT_SH_4_BANDS_0_1PCT_SUNS &&
+        skylight_sh_4_bands_0_1pct_share(inputs, count);
+    if (share) skylight_sh_4_bands_0_1pct_sum_shared(rows, inputs, shared);
+#if SKYLIGHT_SH_4_BANDS_0_1PCT_LANES == 8
+    /* Four times as many at once: rows far apart cost time for each visit, not for what is stored.
+     * */
+    for (; s + 4 * SKYLIGHT_SH_4_BANDS_0_1PCT_SUNS <= count; s += 4 *
+        SKYLIGHT_SH_4_BANDS_0_1PCT_SUNS) {
+        float out[SKYLIGHT_SH_4_BANDS_0_1PCT_NUMBERS][4 * SKYLIGHT_SH_4_BANDS_0_1PCT_SUNS];
+        for (i = 0; i < 4; ++i) {
+            status = skylight_sh_4_bands_0_1pct_evaluate_suns(rows, inputs, azimuths,
+                s + i * SKYLIGHT_SH_4_BANDS_0_1PCT_SUNS,
+                                               share ? shared : 0,
+                                                   out[0] + i * SKYLIGHT_SH_4_BANDS_0_1PCT_SUNS,
+                                                   4 * SKYLIGHT_SH_4_BANDS_0_1PCT_SUNS);
+            worst = status > worst ? status : worst;
+        }
+        for (i = 0; i < SKYLIGHT_SH_4_BANDS_0_1PCT_NUMBERS; ++i)
             memcpy(weights + (size_t)i * step + (size_t)s, out[i], sizeof out[i]);
+    }
+#endif
+    for (; s + SKYLIGHT_SH_4_BANDS_0_1PCT_SUNS <= count; s += SKYLIGHT_SH_4_BANDS_0_1PCT_SUNS) {
+        status = skylight_sh_4_bands_0_1pct_evaluate_suns(rows, inputs, azimuths, s,
+            share ? shared : 0, weights + s, step);
+        worst = status > worst ? status : worst;
     }
 #endif
     while (s < count) {
@@ -1409,8 +2005,7 @@ static inline int skylight_sh_4_bands_0_1pct_evaluate_columns(const skylight_sh_
                 some[k]);
             worst = status > worst ? status : worst;
         }
-        for (i = 0; i < SKYLIGHT_SH_4_BANDS_0_1PCT_CHANNELS * SKYLIGHT_SH_4_BANDS_0_1PCT_WEIGHTS;
-            ++i)
+        for (i = 0; i < SKYLIGHT_SH_4_BANDS_0_1PCT_NUMBERS; ++i)
             for (k = 0; k < now; ++k)
                 weights[(size_t)i * step + (size_t)(s + k)] =
                     some[k][i / SKYLIGHT_SH_4_BANDS_0_1PCT_WEIGHTS][i %
@@ -1459,7 +2054,7 @@ static inline double skylight_sh_4_bands_0_1pct_mixed_double(double
     double sum = 0.0;
     int k;
     for (k = 0; k < SKYLIGHT_SH_4_BANDS_0_1PCT_CLASSES; ++k)
-        sum += factors[channel * SKYLIGHT_SH_4_BANDS_0_1PCT_CLASSES + k] * sums[k][column];
+        sum += factors[SKYLIGHT_SH_4_BANDS_0_1PCT_FACTOR(channel, k)] * sums[k][column];
     return sum;
 }
 
@@ -1483,7 +2078,7 @@ static inline int skylight_sh_4_bands_0_1pct_evaluate_gradient(
     double sloped[SKYLIGHT_SH_4_BANDS_0_1PCT_CLASSES][SKYLIGHT_SH_4_BANDS_0_1PCT_WIDTH];
     double powers[SKYLIGHT_SH_4_BANDS_0_1PCT_BANDS], power_slopes[SKYLIGHT_SH_4_BANDS_0_1PCT_BANDS];
     skylight_sh_4_bands_0_1pct_real cosines[SKYLIGHT_SH_4_BANDS_0_1PCT_BANDS],
-        sines[SKYLIGHT_SH_4_BANDS_0_1PCT_BANDS];
+        sines[SKYLIGHT_SH_4_BANDS_0_1PCT_BANDS], of_x, of_y;
     int axis, channel, i, l, m, sunk = 0;
     const int status =
         skylight_sh_4_bands_0_1pct_evaluate(rows, inputs, azimuth, SKYLIGHT_SH_4_BANDS_0_1PCT_BANDS,
@@ -1515,7 +2110,8 @@ static inline int skylight_sh_4_bands_0_1pct_evaluate_gradient(
             power_slopes[m] = (double)m * powers[m - 1] * sine[1];
         }
     }
-    skylight_sh_4_bands_0_1pct_waves((skylight_sh_4_bands_0_1pct_real)azimuth, 1, cosines, sines);
+    skylight_sh_4_bands_0_1pct_circle((skylight_sh_4_bands_0_1pct_real)azimuth, &of_x, &of_y);
+    skylight_sh_4_bands_0_1pct_waves(of_x, of_y, 1, cosines, sines);
     skylight_sh_4_bands_0_1pct_sum_double(rows, functions, sums);
     for (axis = 0; axis < SKYLIGHT_SH_4_BANDS_0_1PCT_AXES; ++axis) {
         double kept[SKYLIGHT_SH_4_BANDS_0_1PCT_MOST];

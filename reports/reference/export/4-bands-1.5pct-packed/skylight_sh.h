@@ -31,11 +31,11 @@
  *   Define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_EXPOSURE before this file (where it holds the table)
  *   to multiply all weights (1 by default).
  *
- * Accuracy, as shipped: E_mean 1.43 %, E_max 4.01 % of the least luminance of the same sky, at
+ * Accuracy, as shipped: E_mean 1.42 %, E_max 3.9 % of the least luminance of the same sky, at
  * azimuth 0.
- * The expansion rings: the least value it takes, over all directions and measured sets, is -12.6 %
+ * The expansion rings: the least value it takes, over all directions and measured sets, is -12.5 %
  * of its largest in the same set; the window below tames it.
- * Memory: 553 bytes of constants, packed into few bytes (a fast table takes more and less time).
+ * Memory: 541 bytes of constants, packed into few bytes (a fast table takes more and less time).
  *
  * Provenance
  *   skylight-sh 0.1.0, config preetham 08540d17388f71b0, table 4-bands-1.5pct-packed
@@ -65,7 +65,7 @@ before."
 #endif
 
 #ifndef SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_H
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_H 0x8dd365d1
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_H 0x3d9bf561
 
 #include <math.h>
 #include <stdint.h>
@@ -91,9 +91,9 @@ before."
 #define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_CHANNELS 3
 #define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_AXES 2
 #define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_UNIT "cd/m2"
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_E_MEAN 1.432000e-02
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_E_MAX 4.013000e-02
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_UNPACKED 406
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_E_MEAN 1.422000e-02
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_E_MAX 3.898000e-02
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_UNPACKED 386
 #define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_SUN_ZENITH_MIN 0.0f
 #define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_SUN_ZENITH_MAX 1.57079637f
 #define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_TURBIDITY_MIN 2.5f
@@ -179,7 +179,7 @@ SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_API void skylight_sh_4_bands_1_5pct_packed_win
     float
     weights[SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_CHANNELS][SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_WEIGHTS]);
 
-#elif SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_H != 0x8dd365d1
+#elif SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_H != 0x3d9bf561
 #error "Another table has the prefix skylight_sh_4_bands_1_5pct_packed_4_bands_1_5pct_packed \
 already: export one of them under a prefix of its own."
 #endif /* SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_H */
@@ -188,597 +188,6 @@ already: export one of them under a prefix of its own."
     defined(SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_IMPLEMENTATION)) && \
     !defined(SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_DEFINED)
 #define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_DEFINED
-
-typedef float skylight_sh_4_bands_1_5pct_packed_real;
-
-/* Functions of the first axis, in fours; products of the other axes'
-   functions. */
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_FIRST 8
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_OTHERS 4
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_SIZES { 6, 4 }
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_MOST 8
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_AZIMUTH 0.0f
-/* The axis of the sun's zenith angle. */
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_SUN 0
-/* The channels' luminance. */
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_LUMINANCE { 0.212672845f, 0.715152144f, 0.0721749961f }
-/* What an even ground reflects of the weight l = 1, m = 0, and its own
-   zonal weights. */
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_REFLECTED 0.651470006f
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_LOWER { 1.7724539f, -1.53499007f, 0.0f, 0.586184025f }
-
-/* Of each axis: the first and last float that counts as inside, and its
-   range. */
-static const float
-    skylight_sh_4_bands_1_5pct_packed_inside[SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_AXES][2] = { {
-    -1.57079626e-06f, 1.5707978f }, { 2.49999666f, 6.00000334f } };
-static const skylight_sh_4_bands_1_5pct_packed_real
-    skylight_sh_4_bands_1_5pct_packed_range[SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_AXES][2] = { { 0.0f,
-    1.57079637f }, { 2.5f, 6.0f } };
-
-/* Classes; a row's numbers, one a sum, and those of the first 1, 2, ..
-   bands; room for a class's sums. */
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_CLASSES 3
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_OTHER_CLASSES(CLASS) CLASS(1) CLASS(2)
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_FACTORS 9
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_WIDTH 10
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_WIDTHS { 1, 3, 6, 10 }
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_ROOM 16
-/* All rows; of each class the first row, how many, and the place of its
-   first product. */
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_TERMS 40
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_STARTS { 0, 18, 28 }
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_COUNTS { 18, 10, 12 }
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_PLACES { 0, 20, 32 }
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_PRODUCTS_ROOM 48
-/* Of each class and product of the other axes' functions: how many
-   functions of the first axis it has. */
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_LENGTHS { { 6, 5, 4, 3 }, { 4, 3, 3, 0 }, { 5, 4, 2, 1 } }
-/* The same: of each that has any, class, place of the first product, how
-   many, the other axes' product. */
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_PRODUCTS(PRODUCT) \
-    PRODUCT(0, 0, 6, 0) \
-    PRODUCT(0, 6, 5, 1) \
-    PRODUCT(0, 11, 4, 2) \
-    PRODUCT(0, 15, 3, 3) \
-    PRODUCT(1, 20, 4, 0) \
-    PRODUCT(1, 24, 3, 1) \
-    PRODUCT(1, 27, 3, 2) \
-    PRODUCT(2, 32, 5, 0) \
-    PRODUCT(2, 37, 4, 1) \
-    PRODUCT(2, 41, 2, 2) \
-    PRODUCT(2, 43, 1, 3)
-/* Where sums go: of each degree, the first column, or -1 where it carries
-   nothing. */
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_COLUMNS { 0, 1, 3, 6 }
-/* The same for vectors of four: places, two vectors of sums and the numbers
-   of both, order. */
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_FOURS 3
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_STORES(BAND, NOTHING, MINUS, PLUS) \
-    BAND(0, PLUS(0, 0, 0, 0, 1, 2, 3, 0)) \
-    BAND(1, MINUS(1, 0, 0, 2, 1, 0, 0, 1) PLUS(2, 0, 1, 1, 2, 3, 4, 0)) \
-    BAND(2, MINUS(4, 0, 1, 5, 4, 3, 2, 2) PLUS(6, 0, 1, 3, 4, 5, 6, 0)) \
-    BAND(3, MINUS(9, 1, 2, 5, 4, 3, 2, 3) PLUS(12, 1, 2, 2, 3, 4, 5, 0))
-
-/* Runs of numbers, one a product of the other axes' functions, and their
-   profiles; what one step is worth. */
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_RUNS 4
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_RUN_PROFILE { 3, 1, -4, -10 }
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_CLASS_PROFILE { -2, -10, -8 }
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_STEP 0.00100708008f
-
-/* Whole numbers as Rice codes. */
-static const unsigned char skylight_sh_4_bands_1_5pct_packed_stream[286] = {
-    165, 190, 117, 194, 255, 6, 193, 86, 203, 85, 254, 37, 205, 158, 28, 254, 220, 105, 44, 120, 16,
-    242, 103, 33, 39, 254, 205, 228, 246, 225, 252, 72, 23, 243, 213, 89, 200, 140, 237, 244, 200,
-    169, 60, 22, 110, 138, 11, 70, 215, 77, 143, 57, 73, 1, 233, 158, 74, 159, 168, 63, 53, 173, 26,
-    189, 50, 227, 202, 253, 18, 118, 129, 176, 13, 226, 249, 163, 40, 176, 60, 83, 206, 122, 89, 35,
-    233, 76, 63, 72, 86, 8, 21, 25, 219, 17, 83, 110, 247, 78, 64, 106, 148, 125, 165, 46, 60, 177,
-    174, 115, 98, 49, 91, 44, 166, 37, 31, 170, 231, 239, 62, 90, 13, 89, 150, 103, 113, 225, 176,
-    130, 52, 208, 18, 51, 86, 53, 41, 141, 198, 25, 43, 97, 211, 94, 174, 114, 235, 98, 9, 55, 53,
-    96, 141, 183, 131, 202, 122, 60, 133, 114, 184, 10, 154, 14, 75, 27, 27, 19, 151, 166, 246, 6,
-    159, 8, 6, 99, 38, 194, 150, 6, 216, 253, 91, 251, 51, 44, 107, 110, 138, 78, 89, 158, 229, 51,
-    183, 179, 23, 31, 215, 70, 137, 203, 241, 182, 51, 87, 137, 245, 156, 94, 208, 166, 214, 178,
-    243, 219, 58, 29, 228, 138, 243, 126, 131, 186, 186, 147, 155, 98, 200, 62, 161, 223, 102, 172,
-    134, 234, 244, 90, 174, 70, 171, 26, 252, 219, 162, 193, 162, 72, 182, 65, 111, 55, 107, 14,
-    145, 152, 166, 166, 221, 83, 9, 212, 136, 64, 88, 36, 151, 62, 253, 84, 142, 154, 50, 134, 92,
-    5, 253, 14, 93, 132, 110, 172, 64, 133, 51, 135, 146, 0
-};
-
-/* What all weights share: the closed form preetham_classes. */
-static const unsigned short skylight_sh_4_bands_1_5pct_packed_short[60] = { 40453, 4971, 945, 105,
-    24192, 2155, 420, 15, 1, 1787, 1463, 3554, 4275, 25, 3125, 227, 53251, 1206, 25771, 67, 3703, 5,
-    275, 4214, 15346, 61, 897, 26756, 317, 4153, 667, 516, 26688, 7332, 4, 2125, 641, 8989, 33, 452,
-    166, 2903, 11693, 375, 6377, 21196, 209, 3202, 6052, 394, 25886, 993, 7344, 79, 2102, 441,
-    16537, 109, 529, 41556 };
-
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_EARLY 16
-
-static inline void skylight_sh_4_bands_1_5pct_packed_begin_factors(const
-    skylight_sh_4_bands_1_5pct_packed_real *x, skylight_sh_4_bands_1_5pct_packed_real *early)
-{
-    const float chi = (0.888888896f - x[1] * 0.0166666675f) * (1.57079637f - x[0]);
-    const float square = chi * chi;
-    early[0] = ((skylight_sh_4_bands_1_5pct_packed_real)skylight_sh_4_bands_1_5pct_packed_short[2])
-        - square *
-        (((skylight_sh_4_bands_1_5pct_packed_real)skylight_sh_4_bands_1_5pct_packed_short[6]) -
-        ((skylight_sh_4_bands_1_5pct_packed_real)skylight_sh_4_bands_1_5pct_packed_short[7]) *
-        square);
-    early[1] = ((0.100000001f * skylight_sh_4_bands_1_5pct_packed_short[0]) * x[1] -
-        ((skylight_sh_4_bands_1_5pct_packed_real)skylight_sh_4_bands_1_5pct_packed_short[1])) * (chi
-        * (((skylight_sh_4_bands_1_5pct_packed_real)skylight_sh_4_bands_1_5pct_packed_short[2]) -
-        square *
-        (((skylight_sh_4_bands_1_5pct_packed_real)skylight_sh_4_bands_1_5pct_packed_short[3]) -
-        square))) + ((0.100000001f * skylight_sh_4_bands_1_5pct_packed_short[4]) - (0.100000001f *
-        skylight_sh_4_bands_1_5pct_packed_short[5]) * x[1]) * early[0];
-    const float part_1 = (-9.99999975e-05f * skylight_sh_4_bands_1_5pct_packed_short[11]) * x[1] +
-        (9.99999975e-05f * skylight_sh_4_bands_1_5pct_packed_short[12]);
-    const float up =
-        ((skylight_sh_4_bands_1_5pct_packed_real)skylight_sh_4_bands_1_5pct_packed_short[8]) +
-        part_1 * ((0.00999999978f * skylight_sh_4_bands_1_5pct_packed_short[13]) + part_1 *
-        (9.99999975e-06f * skylight_sh_4_bands_1_5pct_packed_short[14]));
-    const float up2 = up * up;
-    early[2] = ((skylight_sh_4_bands_1_5pct_packed_real)skylight_sh_4_bands_1_5pct_packed_short[8])
-        + ((9.99999975e-05f * skylight_sh_4_bands_1_5pct_packed_short[9]) * x[1] + (-0.00100000005f
-        * skylight_sh_4_bands_1_5pct_packed_short[10])) * (up2 * up2);
-    early[3] = (-9.99999975e-05f * skylight_sh_4_bands_1_5pct_packed_short[15]) * x[1] +
-        (9.99999975e-05f * skylight_sh_4_bands_1_5pct_packed_short[16]);
-    const float y = ((9.99999975e-05f * skylight_sh_4_bands_1_5pct_packed_short[17]) * x[1] +
-        (-9.99999975e-05f * skylight_sh_4_bands_1_5pct_packed_short[18])) * x[0] * (0.00999999978f *
-        skylight_sh_4_bands_1_5pct_packed_short[13]);
-    const float halo = 1.0f + y * (0.99999845f + y * (0.499975085f + y * (0.166515172f + y *
-        (0.0412233174f + y * (0.00765432511f + y * 0.000849007862f)))));
-    early[4] = halo * halo;
-    const float z = x[0] * x[0];
-    const float cosine =
-        ((skylight_sh_4_bands_1_5pct_packed_real)skylight_sh_4_bands_1_5pct_packed_short[8]) - z *
-        ((0.100000001f * skylight_sh_4_bands_1_5pct_packed_short[21]) - z * (9.99999975e-06f *
-        skylight_sh_4_bands_1_5pct_packed_short[14]));
-    const float cosine2 = cosine * cosine;
-    early[5] = ((-0.00100000005f * skylight_sh_4_bands_1_5pct_packed_short[19]) * x[1] +
-        (9.99999975e-05f * skylight_sh_4_bands_1_5pct_packed_short[20])) * cosine2;
-    early[6] = (((((9.99999975e-06f * skylight_sh_4_bands_1_5pct_packed_short[22]) * x[1] +
-        (-9.99999975e-06f * skylight_sh_4_bands_1_5pct_packed_short[23])) * x[1] + (9.99999975e-06f
-        * skylight_sh_4_bands_1_5pct_packed_short[24])) * x[0] + (((-9.99999975e-05f *
-        skylight_sh_4_bands_1_5pct_packed_short[25]) * x[1] + (9.99999975e-05f *
-        skylight_sh_4_bands_1_5pct_packed_short[26])) * x[1] + (-9.99999975e-06f *
-        skylight_sh_4_bands_1_5pct_packed_short[27]))) * x[0] + (((9.99999975e-06f *
-        skylight_sh_4_bands_1_5pct_packed_short[28]) * x[1] + (-9.99999975e-06f *
-        skylight_sh_4_bands_1_5pct_packed_short[29])) * x[1] + (9.99999975e-05f *
-        skylight_sh_4_bands_1_5pct_packed_short[30]))) * x[0] + ((9.99999975e-06f *
-        skylight_sh_4_bands_1_5pct_packed_short[31]) * x[1] + (9.99999975e-06f *
-        skylight_sh_4_bands_1_5pct_packed_short[32]));
-    early[7] = (9.99999975e-05f * skylight_sh_4_bands_1_5pct_packed_short[13]) * x[1] +
-        (9.99999975e-05f * skylight_sh_4_bands_1_5pct_packed_short[33]);
-    early[8] = (-9.99999975e-05f * skylight_sh_4_bands_1_5pct_packed_short[34]) * x[1] +
-        (9.99999975e-05f * skylight_sh_4_bands_1_5pct_packed_short[35]);
-    const float y_2 = ((-9.99999975e-05f * skylight_sh_4_bands_1_5pct_packed_short[36]) * x[1] +
-        (-9.99999975e-05f * skylight_sh_4_bands_1_5pct_packed_short[37])) * x[0] * (0.00999999978f *
-        skylight_sh_4_bands_1_5pct_packed_short[13]);
-    const float halo_2 = 1.0f + y_2 * (0.99999845f + y_2 * (0.499975085f + y_2 * (0.166515172f + y_2
-        * (0.0412233174f + y_2 * (0.00765432511f + y_2 * 0.000849007862f)))));
-    early[9] = halo_2 * halo_2;
-    early[10] = ((-9.99999975e-05f * skylight_sh_4_bands_1_5pct_packed_short[38]) * x[1] +
-        (9.99999975e-05f * skylight_sh_4_bands_1_5pct_packed_short[39])) * cosine2;
-    early[11] = (((((9.99999975e-06f * skylight_sh_4_bands_1_5pct_packed_short[40]) * x[1] +
-        (-9.99999975e-06f * skylight_sh_4_bands_1_5pct_packed_short[41])) * x[1] + (9.99999975e-06f
-        * skylight_sh_4_bands_1_5pct_packed_short[42])) * x[0] + (((-9.99999975e-06f *
-        skylight_sh_4_bands_1_5pct_packed_short[43]) * x[1] + (9.99999975e-06f *
-        skylight_sh_4_bands_1_5pct_packed_short[44])) * x[1] + (-9.99999975e-06f *
-        skylight_sh_4_bands_1_5pct_packed_short[45]))) * x[0] + (((9.99999975e-06f *
-        skylight_sh_4_bands_1_5pct_packed_short[46]) * x[1] + (-9.99999975e-06f *
-        skylight_sh_4_bands_1_5pct_packed_short[47])) * x[1] + (9.99999975e-06f *
-        skylight_sh_4_bands_1_5pct_packed_short[48]))) * x[0] + ((9.99999975e-06f *
-        skylight_sh_4_bands_1_5pct_packed_short[49]) * x[1] + (9.99999975e-06f *
-        skylight_sh_4_bands_1_5pct_packed_short[50]));
-    early[12] = (9.99999975e-06f * skylight_sh_4_bands_1_5pct_packed_short[51]) * x[1] +
-        (9.99999975e-05f * skylight_sh_4_bands_1_5pct_packed_short[52]);
-    early[13] = (-9.99999975e-05f * skylight_sh_4_bands_1_5pct_packed_short[53]) * x[1] +
-        (9.99999975e-05f * skylight_sh_4_bands_1_5pct_packed_short[54]);
-    const float y_3 = ((-9.99999975e-05f * skylight_sh_4_bands_1_5pct_packed_short[55]) * x[1] +
-        (-9.99999975e-05f * skylight_sh_4_bands_1_5pct_packed_short[56])) * x[0] * (0.00999999978f *
-        skylight_sh_4_bands_1_5pct_packed_short[13]);
-    const float halo_3 = 1.0f + y_3 * (0.99999845f + y_3 * (0.499975085f + y_3 * (0.166515172f + y_3
-        * (0.0412233174f + y_3 * (0.00765432511f + y_3 * 0.000849007862f)))));
-    early[14] = halo_3 * halo_3;
-    early[15] = ((-9.99999975e-05f * skylight_sh_4_bands_1_5pct_packed_short[57]) * x[1] +
-        (9.99999975e-05f * skylight_sh_4_bands_1_5pct_packed_short[58])) * cosine2;
-    (void)x;
-    (void)early;
-}
-
-/* The rest of it. */
-static inline void skylight_sh_4_bands_1_5pct_packed_end_factors(const
-    skylight_sh_4_bands_1_5pct_packed_real *x, const skylight_sh_4_bands_1_5pct_packed_real *early,
-    skylight_sh_4_bands_1_5pct_packed_real *out)
-{
-    const float halo4 = early[4] * early[4];
-    const float shape_y = early[2] *
-        (((skylight_sh_4_bands_1_5pct_packed_real)skylight_sh_4_bands_1_5pct_packed_short[8]) +
-        early[3] * halo4 + early[5]);
-    const float halo4_2 = early[9] * early[9];
-    const float shape_x = early[7] *
-        (((skylight_sh_4_bands_1_5pct_packed_real)skylight_sh_4_bands_1_5pct_packed_short[8]) +
-        early[8] * halo4_2 + early[10]);
-    const float one = early[1] / (early[0] * shape_y * early[6] * shape_x);
-    const float halo4_3 = early[14] * early[14];
-    const float shape_z = early[12] *
-        (((skylight_sh_4_bands_1_5pct_packed_real)skylight_sh_4_bands_1_5pct_packed_short[8]) +
-        early[13] * halo4_3 + early[15]);
-    const float of_x = one * early[11] * shape_z;
-    out[1] = 3.73898554f * of_x;
-    const float of_y = one * early[6] * shape_x;
-    const float of_s = one * shape_z * shape_x;
-    out[2] = (-0.498531401f) * of_s;
-    out[0] = out[1] + (-1.03860712f) * of_y + out[2];
-    out[4] = (-1.01082206f) * of_x;
-    out[5] = (9.99999997e-07f * skylight_sh_4_bands_1_5pct_packed_short[59]) * of_s;
-    out[3] = out[4] + 1.83445477f * of_y + out[5];
-    out[7] = (-1.00158179f) * of_x;
-    out[8] = 1.05722523f * of_s;
-    out[6] = out[7] + (-1.26125109f) * of_y + out[8];
-    (void)x;
-    (void)early;
-}
-
-/* The functions of sun_zenith (change of variable: even); 0 where there is
-   none. */
-static inline void skylight_sh_4_bands_1_5pct_packed_first(const
-    skylight_sh_4_bands_1_5pct_packed_real *x, skylight_sh_4_bands_1_5pct_packed_real *out)
-{
-    out[0] = 1.0f;
-    out[1] = (-13.3479729f) * (x[0] * x[0] - 0.0f) / ((-14.0f) - x[0] * x[0]) - 1.0f;
-    out[2] = 2.0f * out[1] * out[1] - 1.0f;
-    out[3] = 2.0f * out[1] * out[2] - out[1];
-    out[4] = 2.0f * out[2] * out[2] - 1.0f;
-    out[5] = 2.0f * out[2] * out[3] - out[1];
-    out[6] = 0;
-    out[7] = 0;
-    (void)x;
-}
-
-/* All products of the functions of turbidity (change of variable:
-   reciprocal). */
-static inline void skylight_sh_4_bands_1_5pct_packed_others(const
-    skylight_sh_4_bands_1_5pct_packed_real *x, skylight_sh_4_bands_1_5pct_packed_real *out)
-{
-    out[0] = 1.0f;
-    out[1] = (-4.85714293f) * (x[1] - 2.5f) / ((-2.5f) - x[1]) - 1.0f;
-    out[2] = 2.0f * out[1] * out[1] - 1.0f;
-    out[3] = 2.0f * out[1] * out[2] - out[1];
-    (void)x;
-}
-
-/* cos(m azimuth) and sin(m azimuth), m < bands, each times the m-th power
-   of `radius`, by doubling. */
-static inline void skylight_sh_4_bands_1_5pct_packed_waves(skylight_sh_4_bands_1_5pct_packed_real
-    azimuth, skylight_sh_4_bands_1_5pct_packed_real radius,
-    skylight_sh_4_bands_1_5pct_packed_real *cosines, skylight_sh_4_bands_1_5pct_packed_real *sines)
-{
-    cosines[0] = 1.0f;
-    cosines[1] = radius * cosf(azimuth);
-    sines[1] = radius * sinf(azimuth);
-    cosines[2] = cosines[1] * cosines[1] - sines[1] * sines[1];
-    sines[2] = sines[1] * cosines[1] + cosines[1] * sines[1];
-    cosines[3] = cosines[1] * cosines[2] - sines[1] * sines[2];
-    sines[0] = 0.0f;
-    sines[3] = sines[1] * cosines[2] + cosines[1] * sines[2];
-}
-
-/* The sine of the sun's zenith angle, whose powers the sums of order m
-   lack. */
-static inline skylight_sh_4_bands_1_5pct_packed_real skylight_sh_4_bands_1_5pct_packed_sine(const
-    skylight_sh_4_bands_1_5pct_packed_real *x)
-{
-    const float part_1 = x[SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_SUN] *
-        x[SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_SUN];
-    return x[SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_SUN] + x[SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_SUN] *
-        (part_1 * ((-0.166666597f) + part_1 * (0.00833306555f + part_1 * ((-0.000198095426f) +
-        part_1 * 2.60563934e-06f))));
-}
-
-/* The zonal window's factor for the degree `share` * bands (Habel et al.
-   2008, eq. 5). */
-static inline float skylight_sh_4_bands_1_5pct_packed_sinc(float share)
-{
-    const float x = 3.14159274f * share;
-    return sinf(x) / x;
-}
-
-/* Of each axis: where its functions have slopes. */
-static const double
-    skylight_sh_4_bands_1_5pct_packed_slope_range[SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_AXES][2] = { {
-    0.0, 1.5707963267948966 }, { 2.5, 6.0 } };
-
-/* The functions of an axis at v, and their slopes. */
-static inline void skylight_sh_4_bands_1_5pct_packed_functions(int axis, double v, double *out,
-    double *slopes)
-{
-    if (axis == 0) {
-        out[0] = 1.0;
-        const double part_1 = (-14.0) - v * v;
-        const double part_2 = (-13.347972567941833) * (v * v - 0.0) / part_1;
-        out[1] = part_2 - 1.0;
-        const double part_3 = 2.0 * out[1];
-        out[2] = part_3 * out[1] - 1.0;
-        const double part_4 = 2.0 * out[1];
-        out[3] = part_4 * out[2] - out[1];
-        const double part_5 = 2.0 * out[2];
-        out[4] = part_5 * out[2] - 1.0;
-        const double part_6 = 2.0 * out[2];
-        out[5] = part_6 * out[3] - out[1];
-        slopes[0] = 0.0;
-        slopes[1] = (-13.347972567941833) * (v + v) / part_1 - part_2 * -(v + v) / part_1;
-        slopes[2] = 2.0 * slopes[1] * out[1] + part_3 * slopes[1];
-        slopes[3] = 2.0 * slopes[1] * out[2] + part_4 * slopes[2] - slopes[1];
-        slopes[4] = 2.0 * slopes[2] * out[2] + part_5 * slopes[2];
-        slopes[5] = 2.0 * slopes[2] * out[3] + part_6 * slopes[3] - slopes[1];
-    }
-    if (axis == 1) {
-        out[0] = 1.0;
-        const double part_1 = (-2.5) - v;
-        const double part_2 = (-4.8571428571428568) * (v - 2.5) / part_1;
-        out[1] = part_2 - 1.0;
-        const double part_3 = 2.0 * out[1];
-        out[2] = part_3 * out[1] - 1.0;
-        const double part_4 = 2.0 * out[1];
-        out[3] = part_4 * out[2] - out[1];
-        slopes[0] = 0.0;
-        slopes[1] = (-4.8571428571428568) / part_1 - part_2 * -1.0 / part_1;
-        slopes[2] = 2.0 * slopes[1] * out[1] + part_3 * slopes[1];
-        slopes[3] = 2.0 * slopes[1] * out[2] + part_4 * slopes[2] - slopes[1];
-    }
-    (void)v;
-}
-
-/* The factors, then their slopes after each axis. */
-static inline void skylight_sh_4_bands_1_5pct_packed_factor_slopes(const double *x, double *out)
-{
-    const double part_1 = 4045.3000000000002 * x[1] - 4971.0;
-    const double part_2 = 0.88888888888888884 - x[1] * 0.016666666666666666;
-    const double part_3 = 1.5707963267948966 - x[0];
-    const double chi = part_2 * part_3;
-    const double square = chi * chi;
-    const double part_4 = 105.0 - square;
-    const double part_5 = 945.0 - square * part_4;
-    const double part_6 = chi * part_5;
-    const double part_7 = 2419.1999999999998 - 215.5 * x[1];
-    const double part_8 = 420.0 - 15.0 * square;
-    const double below = 945.0 - square * part_8;
-    const double zenith = part_1 * part_6 + part_7 * below;
-    const double part_9 = 0.1787 * x[1] + (-1.4630000000000001);
-    const double part_10 = (-0.35539999999999999) * x[1] + 0.42749999999999999;
-    const double part_11 = 0.25 + part_10 * 0.03125;
-    const double up = 1.0 + part_10 * part_11;
-    const double up2 = up * up;
-    const double part_12 = up2 * up2;
-    const double part_13 = 1.0 + part_9 * part_12;
-    const double part_14 = (-0.022700000000000001) * x[1] + 5.3250999999999999;
-    const double part_15 = 0.1206 * x[1] + (-2.5771000000000002);
-    const double y = part_15 * x[0] * 0.25;
-    const double part_16 = 0.0076543250999999996 + y * 0.00084900787100000003;
-    const double part_17 = 0.041223317699999998 + y * part_16;
-    const double part_18 = 0.16651516699999999 + y * part_17;
-    const double part_19 = 0.49997509099999998 + y * part_18;
-    const double part_20 = 0.99999845399999998 + y * part_19;
-    const double halo = 0.99999998400000001 + y * part_20;
-    const double halo2 = halo * halo;
-    const double halo4 = halo2 * halo2;
-    const double part_21 = (-0.067000000000000004) * x[1] + 0.37030000000000002;
-    const double z = x[0] * x[0];
-    const double part_22 = 0.5 - z * 0.03125;
-    const double cosine = 1.0 - z * part_22;
-    const double cosine2 = cosine * cosine;
-    const double part_23 = 1.0 + part_14 * halo4 + part_21 * cosine2;
-    const double shape_y = part_13 * part_23;
-    const double part_24 = below * shape_y;
-    const double part_25 = 0.0027499999999999998 * x[1] + (-0.042139999999999997);
-    const double part_26 = part_25 * x[1] + 0.15346000000000001;
-    const double part_27 = (-0.0061000000000000004) * x[1] + 0.089700000000000002;
-    const double part_28 = part_26 * x[0] + (part_27 * x[1] + (-0.26756000000000002));
-    const double part_29 = 0.0031700000000000001 * x[1] + (-0.041529999999999997);
-    const double part_30 = part_28 * x[0] + (part_29 * x[1] + 0.066699999999999995);
-    const double y_zenith = part_30 * x[0] + (0.0051599999999999997 * x[1] + 0.26688000000000001);
-    const double part_31 = part_24 * y_zenith;
-    const double part_32 = 0.0025000000000000001 * x[1] + 0.73319999999999996;
-    const double part_33 = (-0.00040000000000000002) * x[1] + 0.21249999999999999;
-    const double part_34 = (-0.064100000000000004) * x[1] + (-0.89890000000000003);
-    const double y_2 = part_34 * x[0] * 0.25;
-    const double part_35 = 0.0076543250999999996 + y_2 * 0.00084900787100000003;
-    const double part_36 = 0.041223317699999998 + y_2 * part_35;
-    const double part_37 = 0.16651516699999999 + y_2 * part_36;
-    const double part_38 = 0.49997509099999998 + y_2 * part_37;
-    const double part_39 = 0.99999845399999998 + y_2 * part_38;
-    const double halo_2 = 0.99999998400000001 + y_2 * part_39;
-    const double halo2_2 = halo_2 * halo_2;
-    const double halo4_2 = halo2_2 * halo2_2;
-    const double part_40 = (-0.0033) * x[1] + 0.045199999999999997;
-    const double part_41 = 1.0 + part_33 * halo4_2 + part_40 * cosine2;
-    const double shape_x = part_32 * part_41;
-    const double part_42 = part_31 * shape_x;
-    const double one = zenith / part_42;
-    const double part_43 = 0.00166 * x[1] + (-0.02903);
-    const double part_44 = part_43 * x[1] + 0.11693000000000001;
-    const double part_45 = (-0.0037499999999999999) * x[1] + 0.063769999999999993;
-    const double part_46 = part_44 * x[0] + (part_45 * x[1] + (-0.21196000000000001));
-    const double part_47 = 0.0020899999999999998 * x[1] + (-0.03202);
-    const double part_48 = part_46 * x[0] + (part_47 * x[1] + 0.060519999999999997);
-    const double x_zenith = part_48 * x[0] + (0.0039399999999999999 * x[1] + 0.25885999999999998);
-    const double part_49 = one * x_zenith;
-    const double part_50 = 0.0099299999999999996 * x[1] + 0.73440000000000005;
-    const double part_51 = (-0.0079000000000000008) * x[1] + 0.2102;
-    const double part_52 = (-0.0441) * x[1] + (-1.6536999999999999);
-    const double y_3 = part_52 * x[0] * 0.25;
-    const double part_53 = 0.0076543250999999996 + y_3 * 0.00084900787100000003;
-    const double part_54 = 0.041223317699999998 + y_3 * part_53;
-    const double part_55 = 0.16651516699999999 + y_3 * part_54;
-    const double part_56 = 0.49997509099999998 + y_3 * part_55;
-    const double part_57 = 0.99999845399999998 + y_3 * part_56;
-    const double halo_3 = 0.99999998400000001 + y_3 * part_57;
-    const double halo2_3 = halo_3 * halo_3;
-    const double halo4_3 = halo2_3 * halo2_3;
-    const double part_58 = (-0.0109) * x[1] + 0.052900000000000003;
-    const double part_59 = 1.0 + part_51 * halo4_3 + part_58 * cosine2;
-    const double shape_z = part_50 * part_59;
-    const double of_x = part_49 * shape_z;
-    out[1] = 3.7389855999999999 * of_x;
-    const double part_60 = one * y_zenith;
-    const double of_y = part_60 * shape_x;
-    const double part_61 = one * shape_z;
-    const double of_s = part_61 * shape_x;
-    out[2] = (-0.49853140000000001) * of_s;
-    out[0] = out[1] + (-1.0386070999999999) * of_y + out[2];
-    out[4] = (-1.0108219999999999) * of_x;
-    out[5] = 0.041556000000000003 * of_s;
-    out[3] = out[4] + 1.8344548000000001 * of_y + out[5];
-    out[7] = (-1.0015818000000001) * of_x;
-    out[8] = 1.0572252 * of_s;
-    out[6] = out[7] + (-1.2612511) * of_y + out[8];
-    const double part_62 = part_2 * -1.0;
-    const double part_63 = part_62 * chi + chi * part_62;
-    const double part_64 = -(part_63 * part_8 + square * -(15.0 * part_63));
-    const double part_65 = part_15 * 0.25;
-    const double part_66 = part_65 * part_20 + y * (part_65 * part_19 + y * (part_65 * part_18 + y *
-        (part_65 * part_17 + y * (part_65 * part_16 + y * (part_65 * 0.00084900787100000003)))));
-    const double part_67 = part_66 * halo + halo * part_66;
-    const double part_68 = x[0] + x[0];
-    const double part_69 = -(part_68 * part_22 + z * -(part_68 * 0.03125));
-    const double part_70 = part_69 * cosine + cosine * part_69;
-    const double part_71 = (part_26 * x[0] + part_28) * x[0] + part_30;
-    const double part_72 = part_34 * 0.25;
-    const double part_73 = part_72 * part_39 + y_2 * (part_72 * part_38 + y_2 * (part_72 * part_37 +
-        y_2 * (part_72 * part_36 + y_2 * (part_72 * part_35 + y_2 * (part_72 *
-        0.00084900787100000003)))));
-    const double part_74 = part_73 * halo_2 + halo_2 * part_73;
-    const double part_75 = part_32 * (part_33 * (part_74 * halo2_2 + halo2_2 * part_74) + part_40 *
-        part_70);
-    const double part_76 = (part_1 * (part_62 * part_5 + chi * -(part_63 * part_4 + square *
-        -part_63)) + part_7 * part_64) / part_42 - one * (((part_64 * shape_y + below * (part_13 *
-        (part_14 * (part_67 * halo2 + halo2 * part_67) + part_21 * part_70))) * y_zenith + part_24 *
-        part_71) * shape_x + part_31 * part_75) / part_42;
-    const double part_77 = part_52 * 0.25;
-    const double part_78 = part_77 * part_57 + y_3 * (part_77 * part_56 + y_3 * (part_77 * part_55 +
-        y_3 * (part_77 * part_54 + y_3 * (part_77 * part_53 + y_3 * (part_77 *
-        0.00084900787100000003)))));
-    const double part_79 = part_78 * halo_3 + halo_3 * part_78;
-    const double part_80 = part_50 * (part_51 * (part_79 * halo2_3 + halo2_3 * part_79) + part_58 *
-        part_70);
-    const double part_81 = (part_76 * x_zenith + one * ((part_44 * x[0] + part_46) * x[0] +
-        part_48)) * shape_z + part_49 * part_80;
-    out[10] = 3.7389855999999999 * part_81;
-    const double part_82 = (part_76 * y_zenith + one * part_71) * shape_x + part_60 * part_75;
-    const double part_83 = (part_76 * shape_z + one * part_80) * shape_x + part_61 * part_75;
-    out[11] = (-0.49853140000000001) * part_83;
-    out[9] = out[10] + (-1.0386070999999999) * part_82 + out[11];
-    out[13] = (-1.0108219999999999) * part_81;
-    out[14] = 0.041556000000000003 * part_83;
-    out[12] = out[13] + 1.8344548000000001 * part_82 + out[14];
-    out[16] = (-1.0015818000000001) * part_81;
-    out[17] = 1.0572252 * part_83;
-    out[15] = out[16] + (-1.2612511) * part_82 + out[17];
-    const double part_84 = -0.016666666666666666 * part_3;
-    const double part_85 = part_84 * chi + chi * part_84;
-    const double part_86 = -(part_85 * part_8 + square * -(15.0 * part_85));
-    const double part_87 = (-0.35539999999999999) * part_11 + part_10 * ((-0.35539999999999999) *
-        0.03125);
-    const double part_88 = part_87 * up + up * part_87;
-    const double part_89 = 0.1206 * x[0] * 0.25;
-    const double part_90 = part_89 * part_20 + y * (part_89 * part_19 + y * (part_89 * part_18 + y *
-        (part_89 * part_17 + y * (part_89 * part_16 + y * (part_89 * 0.00084900787100000003)))));
-    const double part_91 = part_90 * halo + halo * part_90;
-    const double part_92 = (((0.0027499999999999998 * x[1] + part_25) * x[0] +
-        ((-0.0061000000000000004) * x[1] + part_27)) * x[0] + (0.0031700000000000001 * x[1] +
-        part_29)) * x[0] + 0.0051599999999999997;
-    const double part_93 = (-0.064100000000000004) * x[0] * 0.25;
-    const double part_94 = part_93 * part_39 + y_2 * (part_93 * part_38 + y_2 * (part_93 * part_37 +
-        y_2 * (part_93 * part_36 + y_2 * (part_93 * part_35 + y_2 * (part_93 *
-        0.00084900787100000003)))));
-    const double part_95 = part_94 * halo_2 + halo_2 * part_94;
-    const double part_96 = 0.0025000000000000001 * part_41 + part_32 * ((-0.00040000000000000002) *
-        halo4_2 + part_33 * (part_95 * halo2_2 + halo2_2 * part_95) + (-0.0033) * cosine2);
-    const double part_97 = (4045.3000000000002 * part_6 + part_1 * (part_84 * part_5 + chi *
-        -(part_85 * part_4 + square * -part_85)) + (-215.5 * below + part_7 * part_86)) / part_42 -
-        one * (((part_86 * shape_y + below * ((0.1787 * part_12 + part_9 * (part_88 * up2 + up2 *
-        part_88)) * part_23 + part_13 * ((-0.022700000000000001) * halo4 + part_14 * (part_91 *
-        halo2 + halo2 * part_91) + (-0.067000000000000004) * cosine2))) * y_zenith + part_24 *
-        part_92) * shape_x + part_31 * part_96) / part_42;
-    const double part_98 = (-0.0441) * x[0] * 0.25;
-    const double part_99 = part_98 * part_57 + y_3 * (part_98 * part_56 + y_3 * (part_98 * part_55 +
-        y_3 * (part_98 * part_54 + y_3 * (part_98 * part_53 + y_3 * (part_98 *
-        0.00084900787100000003)))));
-    const double part_100 = part_99 * halo_3 + halo_3 * part_99;
-    const double part_101 = 0.0099299999999999996 * part_59 + part_50 * ((-0.0079000000000000008) *
-        halo4_3 + part_51 * (part_100 * halo2_3 + halo2_3 * part_100) + (-0.0109) * cosine2);
-    const double part_102 = (part_97 * x_zenith + one * ((((0.00166 * x[1] + part_43) * x[0] +
-        ((-0.0037499999999999999) * x[1] + part_45)) * x[0] + (0.0020899999999999998 * x[1] +
-        part_47)) * x[0] + 0.0039399999999999999)) * shape_z + part_49 * part_101;
-    out[19] = 3.7389855999999999 * part_102;
-    const double part_103 = (part_97 * y_zenith + one * part_92) * shape_x + part_60 * part_96;
-    const double part_104 = (part_97 * shape_z + one * part_101) * shape_x + part_61 * part_96;
-    out[20] = (-0.49853140000000001) * part_104;
-    out[18] = out[19] + (-1.0386070999999999) * part_103 + out[20];
-    out[22] = (-1.0108219999999999) * part_102;
-    out[23] = 0.041556000000000003 * part_104;
-    out[21] = out[22] + 1.8344548000000001 * part_103 + out[23];
-    out[25] = (-1.0015818000000001) * part_102;
-    out[26] = 1.0572252 * part_104;
-    out[24] = out[25] + (-1.2612511) * part_103 + out[26];
-    (void)x;
-}
-
-/* The sine of the sun's zenith angle, then its slope. */
-static inline void skylight_sh_4_bands_1_5pct_packed_sine_slope(const double *x, double *out)
-{
-    out[0] = sin(x[SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_SUN]);
-    out[1] = cos(x[SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_SUN]);
-}
-
-/* 0 for a finite number, 1 for an infinity, 2 for NaN: by its bits, so that -ffast-math cannot
-   remove the test. */
-static inline int skylight_sh_4_bands_1_5pct_packed_kind(float v)
-{
-    uint32_t bits;
-    memcpy(&bits, &v, sizeof bits);
-    bits &= 0x7fffffffu;
-    return (bits >= 0x7f800000u) + (bits > 0x7f800000u);
-}
-
-/* A number that is no NaN, finite: an infinity becomes a large number of its sign. */
-static inline float skylight_sh_4_bands_1_5pct_packed_finite(float v)
-{
-    if (skylight_sh_4_bands_1_5pct_packed_kind(v)) {
-        uint32_t bits;
-        memcpy(&bits, &v, sizeof bits);
-        v = bits >> 31 ? -3e38f : 3e38f;
-    }
-    return v;
-}
-
-/* Clamps the axes' inputs into x. Returns the status: 0; 1 where one was not inside; 2, and nothing
-   in x, where one is NaN or the azimuth no finite number. */
-static inline int skylight_sh_4_bands_1_5pct_packed_inputs(const float
-    inputs[SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_AXES], float azimuth,
-                                     skylight_sh_4_bands_1_5pct_packed_real
-                                         x[SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_AXES])
-{
-    int axis, status = 0, strange = skylight_sh_4_bands_1_5pct_packed_kind(azimuth) ? 2 : 0;
-    for (axis = 0; axis < SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_AXES; ++axis) strange |=
-        skylight_sh_4_bands_1_5pct_packed_kind(inputs[axis]);
-    if (strange & 2) return 2;
-    for (axis = 0; axis < SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_AXES; ++axis) {
-        const float v = skylight_sh_4_bands_1_5pct_packed_finite(inputs[axis]);
-        const skylight_sh_4_bands_1_5pct_packed_real low =
-            skylight_sh_4_bands_1_5pct_packed_range[axis][0],
-            high = skylight_sh_4_bands_1_5pct_packed_range[axis][1];
-        const skylight_sh_4_bands_1_5pct_packed_real at_least =
-            (skylight_sh_4_bands_1_5pct_packed_real)v < low ? low :
-            (skylight_sh_4_bands_1_5pct_packed_real)v;
-        status |= (v < skylight_sh_4_bands_1_5pct_packed_inside[axis][0]) | (v >
-            skylight_sh_4_bands_1_5pct_packed_inside[axis][1]);
-        x[axis] = at_least > high ? high : at_least;
-    }
-    return status;
-}
 
 /* Numbers side by side where the compiler has vector types: as many as the processor's registers
    hold, and four. */
@@ -792,11 +201,13 @@ static inline int skylight_sh_4_bands_1_5pct_packed_inputs(const float
 #define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_LANES 4
 #endif
 #endif
-/* What is worth its place in every caller. */
+/* What is worth its place in every caller; what lies at the start of a cache line. */
 #ifdef __GNUC__
 #define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_INLINE static inline __attribute__((always_inline))
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_ALIGNED __attribute__((aligned(64)))
 #else
 #define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_INLINE static inline
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_ALIGNED
 #endif
 #ifdef SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_LANES
 #ifdef __FMA__
@@ -866,6 +277,26 @@ static inline skylight_sh_4_bands_1_5pct_packed_four
 #endif
 }
 
+/* Numbers side by side; where there are fewer than four, the last again. */
+static inline skylight_sh_4_bands_1_5pct_packed_four
+    skylight_sh_4_bands_1_5pct_packed_quadruple(float a, float b, float c, float d)
+{
+    const skylight_sh_4_bands_1_5pct_packed_four v = {a, b, c, d};
+    return v;
+}
+
+static inline skylight_sh_4_bands_1_5pct_packed_four skylight_sh_4_bands_1_5pct_packed_triple(float
+    a, float b, float c)
+{
+    return skylight_sh_4_bands_1_5pct_packed_quadruple(a, b, c, c);
+}
+
+static inline skylight_sh_4_bands_1_5pct_packed_four skylight_sh_4_bands_1_5pct_packed_pair(float a,
+    float b)
+{
+    return skylight_sh_4_bands_1_5pct_packed_quadruple(a, b, b, b);
+}
+
 static inline void skylight_sh_4_bands_1_5pct_packed_keep(float *to,
     skylight_sh_4_bands_1_5pct_packed_four v)
 {
@@ -890,6 +321,765 @@ static inline skylight_sh_4_bands_1_5pct_packed_four
 #endif
 #endif
 
+typedef float skylight_sh_4_bands_1_5pct_packed_real;
+
+/* Functions of the first axis, in fours; products of the other axes'
+   functions. */
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_FIRST 8
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_OTHERS 4
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_SIZES { 5, 4 }
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_MOST 8
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_AZIMUTH 0.0f
+/* The axis of the sun's zenith angle. */
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_SUN 0
+/* The channels' luminance. */
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_LUMINANCE { 0.212672845f, 0.715152144f, 0.0721749961f }
+/* What an even ground reflects of the weight l = 1, m = 0, and its own
+   zonal weights. */
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_REFLECTED 0.651470006f
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_LOWER { 1.7724539f, -1.53499007f, 0.0f, 0.586184025f }
+
+/* Of each axis: the first and last float that counts as inside, and its
+   range. */
+static const float
+    skylight_sh_4_bands_1_5pct_packed_inside[SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_AXES][2] = { {
+    -1.57079626e-06f, 1.5707978f }, { 2.49999666f, 6.00000334f } };
+static const skylight_sh_4_bands_1_5pct_packed_real
+    skylight_sh_4_bands_1_5pct_packed_range[SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_AXES][2] = { { 0.0f,
+    1.57079637f }, { 2.5f, 6.0f } };
+
+/* Classes; a row's numbers, one a sum, and those of the first 1, 2, ..
+   bands; room for a class's sums. */
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_CLASSES 3
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_ALL_CLASSES(CLASS) CLASS(0) CLASS(1) CLASS(2)
+/* What multiplies the sum of a class for a channel; the channels side by
+   side, in fours. */
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_FACTORS 12
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_FACTOR(channel, class_) ((class_) * 4 + (channel))
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_WIDTH 10
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_WIDTHS { 1, 3, 6, 10 }
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_ROOM 16
+/* All rows; of each class the first row, how many, and the place of its
+   first product. */
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_TERMS 38
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_STARTS { 0, 17, 26 }
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_COUNTS { 17, 9, 12 }
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_PLACES { 0, 20, 32 }
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_PRODUCTS_ROOM 48
+/* Of each class and product of the other axes' functions: how many
+   functions of the first axis it has. */
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_LENGTHS { { 5, 5, 4, 3 }, { 3, 3, 3, 0 }, { 5, 4, 2, 1 } }
+/* The same: of each that has any, class, place of the first product, how
+   many, the other axes' product. */
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_PRODUCTS(PRODUCT) \
+    PRODUCT(0, 0, 5, 0) \
+    PRODUCT(0, 5, 5, 1) \
+    PRODUCT(0, 10, 4, 2) \
+    PRODUCT(0, 14, 3, 3) \
+    PRODUCT(1, 20, 3, 0) \
+    PRODUCT(1, 23, 3, 1) \
+    PRODUCT(1, 26, 3, 2) \
+    PRODUCT(2, 32, 5, 0) \
+    PRODUCT(2, 37, 4, 1) \
+    PRODUCT(2, 41, 2, 2) \
+    PRODUCT(2, 43, 1, 3)
+/* Where sums go: of each degree, the first column, or -1 where it carries
+   nothing. */
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_COLUMNS { 0, 1, 3, 6 }
+/* The same for vectors of four: places, two vectors of sums and the numbers
+   of both, order. */
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_FOURS 3
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_STORES(BAND, NOTHING, MINUS, PLUS) \
+    BAND(0, PLUS(0, 0, 0, 0, 1, 2, 3, 0)) \
+    BAND(1, MINUS(1, 0, 0, 2, 1, 0, 0, 1) PLUS(2, 0, 1, 1, 2, 3, 4, 0)) \
+    BAND(2, MINUS(4, 0, 1, 5, 4, 3, 2, 2) PLUS(6, 0, 1, 3, 4, 5, 6, 0)) \
+    BAND(3, MINUS(9, 1, 2, 5, 4, 3, 2, 3) PLUS(12, 1, 2, 2, 3, 4, 5, 0))
+
+/* Runs of numbers, one a product of the other axes' functions, and their
+   profiles; what one step is worth. */
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_RUNS 4
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_RUN_PROFILE { 3, 1, -4, -10 }
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_CLASS_PROFILE { -1, -9, -7 }
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_STEP 0.00114440918f
+
+/* Whole numbers as Rice codes. */
+static const unsigned char skylight_sh_4_bands_1_5pct_packed_stream[274] = {
+    101, 58, 101, 192, 255, 30, 106, 229, 149, 170, 252, 27, 143, 157, 40, 252, 89, 211, 24, 127,
+    12, 247, 36, 226, 223, 145, 111, 141, 231, 23, 210, 206, 87, 102, 33, 18, 42, 211, 121, 91, 92,
+    42, 109, 224, 106, 76, 86, 74, 15, 57, 135, 77, 178, 93, 233, 65, 107, 71, 51, 106, 163, 151,
+    204, 7, 187, 203, 229, 128, 247, 139, 241, 220, 57, 22, 74, 18, 23, 178, 93, 214, 64, 218, 14,
+    15, 142, 52, 70, 84, 162, 99, 38, 76, 178, 247, 53, 42, 168, 25, 173, 150, 183, 208, 12, 251,
+    106, 230, 109, 163, 250, 58, 116, 60, 190, 138, 175, 231, 247, 172, 187, 58, 255, 111, 9, 41,
+    105, 80, 219, 226, 87, 242, 76, 26, 77, 38, 22, 212, 232, 34, 78, 129, 123, 225, 248, 38, 69,
+    38, 115, 40, 93, 86, 143, 99, 17, 12, 166, 207, 40, 180, 164, 216, 12, 93, 154, 183, 21, 60, 1,
+    12, 99, 229, 61, 134, 196, 126, 39, 155, 60, 227, 158, 38, 86, 45, 123, 51, 203, 38, 246, 233,
+    26, 238, 18, 89, 231, 107, 103, 106, 131, 213, 252, 184, 198, 77, 239, 140, 229, 203, 60, 2, 85,
+    141, 125, 141, 1, 85, 205, 169, 101, 69, 100, 23, 132, 183, 17, 213, 147, 46, 220, 27, 118, 104,
+    206, 167, 179, 121, 22, 140, 77, 80, 158, 107, 45, 105, 209, 204, 82, 143, 213, 179, 18, 204,
+    36, 131, 8, 53, 102, 139, 114, 222, 112, 93, 41, 168, 2, 217, 37, 155, 208, 141, 149, 77, 56,
+    40, 72, 2
+};
+
+/* What all weights share: the closed form preetham_classes. */
+static const unsigned short skylight_sh_4_bands_1_5pct_packed_short[61] = { 40453, 4971, 945, 105,
+    24192, 2155, 420, 15, 1, 1787, 1463, 3554, 4275, 25, 3125, 227, 4, 79, 53251, 2125, 2102, 1206,
+    641, 441, 25771, 8989, 16537, 67, 33, 109, 3703, 452, 529, 5, 275, 166, 4214, 2903, 15346,
+    11693, 61, 375, 897, 6377, 26756, 21196, 317, 209, 4153, 3202, 667, 6052, 516, 394, 26688,
+    25886, 7332, 993, 7344, 41556, 0 };
+
+#ifdef SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_LANES
+/* Equal formulas of different numbers side by side. */
+static inline void skylight_sh_4_bands_1_5pct_packed_factors(const
+    skylight_sh_4_bands_1_5pct_packed_real *x, skylight_sh_4_bands_1_5pct_packed_real *out)
+{
+    const float chi = (0.888888896f - x[1] * 0.0166666675f) * (1.57079637f - x[0]);
+    const float square = chi * chi;
+    const float below =
+        ((skylight_sh_4_bands_1_5pct_packed_real)skylight_sh_4_bands_1_5pct_packed_short[2]) -
+        square *
+        (((skylight_sh_4_bands_1_5pct_packed_real)skylight_sh_4_bands_1_5pct_packed_short[6]) -
+        ((skylight_sh_4_bands_1_5pct_packed_real)skylight_sh_4_bands_1_5pct_packed_short[7]) *
+        square);
+    const float zenith = ((0.100000001f * skylight_sh_4_bands_1_5pct_packed_short[0]) * x[1] -
+        ((skylight_sh_4_bands_1_5pct_packed_real)skylight_sh_4_bands_1_5pct_packed_short[1])) * (chi
+        * (((skylight_sh_4_bands_1_5pct_packed_real)skylight_sh_4_bands_1_5pct_packed_short[2]) -
+        square *
+        (((skylight_sh_4_bands_1_5pct_packed_real)skylight_sh_4_bands_1_5pct_packed_short[3]) -
+        square))) + ((0.100000001f * skylight_sh_4_bands_1_5pct_packed_short[4]) - (0.100000001f *
+        skylight_sh_4_bands_1_5pct_packed_short[5]) * x[1]) * below;
+    const float part_1 = (-9.99999975e-05f * skylight_sh_4_bands_1_5pct_packed_short[11]) * x[1] +
+        (9.99999975e-05f * skylight_sh_4_bands_1_5pct_packed_short[12]);
+    const float up =
+        ((skylight_sh_4_bands_1_5pct_packed_real)skylight_sh_4_bands_1_5pct_packed_short[8]) +
+        part_1 * ((0.00999999978f * skylight_sh_4_bands_1_5pct_packed_short[13]) + part_1 *
+        (9.99999975e-06f * skylight_sh_4_bands_1_5pct_packed_short[14]));
+    const float up2 = up * up;
+    const skylight_sh_4_bands_1_5pct_packed_four y =
+        (skylight_sh_4_bands_1_5pct_packed_triple((9.99999975e-05f *
+        skylight_sh_4_bands_1_5pct_packed_short[21]),
+        (-9.99999975e-05f * skylight_sh_4_bands_1_5pct_packed_short[22]),
+        (-9.99999975e-05f * skylight_sh_4_bands_1_5pct_packed_short[23])) * x[1] +
+        skylight_sh_4_bands_1_5pct_packed_triple((-9.99999975e-05f *
+        skylight_sh_4_bands_1_5pct_packed_short[24]),
+        (-9.99999975e-05f * skylight_sh_4_bands_1_5pct_packed_short[25]),
+        (-9.99999975e-05f * skylight_sh_4_bands_1_5pct_packed_short[26]))) * x[0] * (0.00999999978f
+        * skylight_sh_4_bands_1_5pct_packed_short[13]);
+    const skylight_sh_4_bands_1_5pct_packed_four y2 = y * y;
+    const skylight_sh_4_bands_1_5pct_packed_four halo = 1.0f + 0.99999845f * y + y2 * (0.499975085f
+        + 0.166515172f * y + y2 * (0.0412233174f + 0.00765432511f * y + y2 * 0.000849007862f));
+    const skylight_sh_4_bands_1_5pct_packed_four halo2 = halo * halo;
+    const skylight_sh_4_bands_1_5pct_packed_four halo4 = halo2 * halo2;
+    const float z = x[0] * x[0];
+    const float cosine =
+        ((skylight_sh_4_bands_1_5pct_packed_real)skylight_sh_4_bands_1_5pct_packed_short[8]) - z *
+        ((0.100000001f * skylight_sh_4_bands_1_5pct_packed_short[33]) - z * (9.99999975e-06f *
+        skylight_sh_4_bands_1_5pct_packed_short[14]));
+    const float cosine2 = cosine * cosine;
+    const skylight_sh_4_bands_1_5pct_packed_four part_2 =
+        ((skylight_sh_4_bands_1_5pct_packed_real)skylight_sh_4_bands_1_5pct_packed_short[8]) +
+        (skylight_sh_4_bands_1_5pct_packed_triple((-9.99999975e-05f *
+        skylight_sh_4_bands_1_5pct_packed_short[15]),
+        (-9.99999975e-05f * skylight_sh_4_bands_1_5pct_packed_short[16]),
+        (-9.99999975e-05f * skylight_sh_4_bands_1_5pct_packed_short[17])) * x[1] +
+        skylight_sh_4_bands_1_5pct_packed_triple((9.99999975e-05f *
+        skylight_sh_4_bands_1_5pct_packed_short[18]),
+        (9.99999975e-05f * skylight_sh_4_bands_1_5pct_packed_short[19]),
+        (9.99999975e-05f * skylight_sh_4_bands_1_5pct_packed_short[20]))) * halo4 +
+        (skylight_sh_4_bands_1_5pct_packed_triple((-0.00100000005f *
+        skylight_sh_4_bands_1_5pct_packed_short[27]),
+        (-9.99999975e-05f * skylight_sh_4_bands_1_5pct_packed_short[28]),
+        (-9.99999975e-05f * skylight_sh_4_bands_1_5pct_packed_short[29])) * x[1] +
+        skylight_sh_4_bands_1_5pct_packed_triple((9.99999975e-05f *
+        skylight_sh_4_bands_1_5pct_packed_short[30]),
+        (9.99999975e-05f * skylight_sh_4_bands_1_5pct_packed_short[31]),
+        (9.99999975e-05f * skylight_sh_4_bands_1_5pct_packed_short[32]))) * cosine2;
+    const float shape_y =
+        (((skylight_sh_4_bands_1_5pct_packed_real)skylight_sh_4_bands_1_5pct_packed_short[8]) +
+        ((9.99999975e-05f * skylight_sh_4_bands_1_5pct_packed_short[9]) * x[1] + (-0.00100000005f *
+        skylight_sh_4_bands_1_5pct_packed_short[10])) * (up2 * up2)) * part_2[0];
+    const skylight_sh_4_bands_1_5pct_packed_four y_zenith =
+        ((((skylight_sh_4_bands_1_5pct_packed_pair((9.99999975e-06f *
+        skylight_sh_4_bands_1_5pct_packed_short[34]),
+        (9.99999975e-06f * skylight_sh_4_bands_1_5pct_packed_short[35])) * x[1] +
+        skylight_sh_4_bands_1_5pct_packed_pair((-9.99999975e-06f *
+        skylight_sh_4_bands_1_5pct_packed_short[36]),
+        (-9.99999975e-06f * skylight_sh_4_bands_1_5pct_packed_short[37]))) * x[1] +
+        skylight_sh_4_bands_1_5pct_packed_pair((9.99999975e-06f *
+        skylight_sh_4_bands_1_5pct_packed_short[38]),
+        (9.99999975e-06f * skylight_sh_4_bands_1_5pct_packed_short[39]))) * x[0] +
+        ((skylight_sh_4_bands_1_5pct_packed_pair((-9.99999975e-05f *
+        skylight_sh_4_bands_1_5pct_packed_short[40]),
+        (-9.99999975e-06f * skylight_sh_4_bands_1_5pct_packed_short[41])) * x[1] +
+        skylight_sh_4_bands_1_5pct_packed_pair((9.99999975e-05f *
+        skylight_sh_4_bands_1_5pct_packed_short[42]),
+        (9.99999975e-06f * skylight_sh_4_bands_1_5pct_packed_short[43]))) * x[1] +
+        skylight_sh_4_bands_1_5pct_packed_pair((-9.99999975e-06f *
+        skylight_sh_4_bands_1_5pct_packed_short[44]),
+        (-9.99999975e-06f * skylight_sh_4_bands_1_5pct_packed_short[45])))) * x[0] +
+        ((skylight_sh_4_bands_1_5pct_packed_pair((9.99999975e-06f *
+        skylight_sh_4_bands_1_5pct_packed_short[46]),
+        (9.99999975e-06f * skylight_sh_4_bands_1_5pct_packed_short[47])) * x[1] +
+        skylight_sh_4_bands_1_5pct_packed_pair((-9.99999975e-06f *
+        skylight_sh_4_bands_1_5pct_packed_short[48]),
+        (-9.99999975e-06f * skylight_sh_4_bands_1_5pct_packed_short[49]))) * x[1] +
+        skylight_sh_4_bands_1_5pct_packed_pair((9.99999975e-05f *
+        skylight_sh_4_bands_1_5pct_packed_short[50]),
+        (9.99999975e-06f * skylight_sh_4_bands_1_5pct_packed_short[51])))) * x[0] +
+        (skylight_sh_4_bands_1_5pct_packed_pair((9.99999975e-06f *
+        skylight_sh_4_bands_1_5pct_packed_short[52]),
+        (9.99999975e-06f * skylight_sh_4_bands_1_5pct_packed_short[53])) * x[1] +
+        skylight_sh_4_bands_1_5pct_packed_pair((9.99999975e-06f *
+        skylight_sh_4_bands_1_5pct_packed_short[54]),
+        (9.99999975e-06f * skylight_sh_4_bands_1_5pct_packed_short[55])));
+    const float part_3 = y_zenith[0];
+    const float shape_x = ((9.99999975e-05f * skylight_sh_4_bands_1_5pct_packed_short[13]) * x[1] +
+        (9.99999975e-05f * skylight_sh_4_bands_1_5pct_packed_short[56])) * part_2[1];
+    const float one = zenith / (below * shape_y * part_3 * shape_x);
+    const float shape_z = ((9.99999975e-06f * skylight_sh_4_bands_1_5pct_packed_short[57]) * x[1] +
+        (9.99999975e-05f * skylight_sh_4_bands_1_5pct_packed_short[58])) * part_2[2];
+    const float of_x = one * y_zenith[1] * shape_z;
+    const skylight_sh_4_bands_1_5pct_packed_four part_4 =
+        skylight_sh_4_bands_1_5pct_packed_triple(3.73898554f, (-1.01082206f),
+        (-1.00158179f)) * of_x;
+    skylight_sh_4_bands_1_5pct_packed_keep(out + 4, part_4);
+    const float of_y = one * part_3 * shape_x;
+    const float of_s = one * shape_z * shape_x;
+    const skylight_sh_4_bands_1_5pct_packed_four part_5 =
+        skylight_sh_4_bands_1_5pct_packed_triple((-0.498531401f),
+        (9.99999997e-07f * skylight_sh_4_bands_1_5pct_packed_short[59]), 1.05722523f) * of_s;
+    skylight_sh_4_bands_1_5pct_packed_keep(out + 8, part_5);
+    const skylight_sh_4_bands_1_5pct_packed_four part_6 = part_4 +
+        skylight_sh_4_bands_1_5pct_packed_triple((-1.03860712f), 1.83445477f,
+        (-1.26125109f)) * of_y + part_5;
+    skylight_sh_4_bands_1_5pct_packed_keep(out + 0, part_6);
+    (void)x;
+}
+
+#else
+static inline void skylight_sh_4_bands_1_5pct_packed_factors(const
+    skylight_sh_4_bands_1_5pct_packed_real *x, skylight_sh_4_bands_1_5pct_packed_real *out)
+{
+    const float chi = (0.888888896f - x[1] * 0.0166666675f) * (1.57079637f - x[0]);
+    const float square = chi * chi;
+    const float below =
+        ((skylight_sh_4_bands_1_5pct_packed_real)skylight_sh_4_bands_1_5pct_packed_short[2]) -
+        square *
+        (((skylight_sh_4_bands_1_5pct_packed_real)skylight_sh_4_bands_1_5pct_packed_short[6]) -
+        ((skylight_sh_4_bands_1_5pct_packed_real)skylight_sh_4_bands_1_5pct_packed_short[7]) *
+        square);
+    const float zenith = ((0.100000001f * skylight_sh_4_bands_1_5pct_packed_short[0]) * x[1] -
+        ((skylight_sh_4_bands_1_5pct_packed_real)skylight_sh_4_bands_1_5pct_packed_short[1])) * (chi
+        * (((skylight_sh_4_bands_1_5pct_packed_real)skylight_sh_4_bands_1_5pct_packed_short[2]) -
+        square *
+        (((skylight_sh_4_bands_1_5pct_packed_real)skylight_sh_4_bands_1_5pct_packed_short[3]) -
+        square))) + ((0.100000001f * skylight_sh_4_bands_1_5pct_packed_short[4]) - (0.100000001f *
+        skylight_sh_4_bands_1_5pct_packed_short[5]) * x[1]) * below;
+    const float part_1 = (-9.99999975e-05f * skylight_sh_4_bands_1_5pct_packed_short[11]) * x[1] +
+        (9.99999975e-05f * skylight_sh_4_bands_1_5pct_packed_short[12]);
+    const float up =
+        ((skylight_sh_4_bands_1_5pct_packed_real)skylight_sh_4_bands_1_5pct_packed_short[8]) +
+        part_1 * ((0.00999999978f * skylight_sh_4_bands_1_5pct_packed_short[13]) + part_1 *
+        (9.99999975e-06f * skylight_sh_4_bands_1_5pct_packed_short[14]));
+    const float up2 = up * up;
+    const float y = ((9.99999975e-05f * skylight_sh_4_bands_1_5pct_packed_short[21]) * x[1] +
+        (-9.99999975e-05f * skylight_sh_4_bands_1_5pct_packed_short[24])) * x[0] * (0.00999999978f *
+        skylight_sh_4_bands_1_5pct_packed_short[13]);
+    const float y2 = y * y;
+    const float halo = 1.0f + 0.99999845f * y + y2 * (0.499975085f + 0.166515172f * y + y2 *
+        (0.0412233174f + 0.00765432511f * y + y2 * 0.000849007862f));
+    const float halo2 = halo * halo;
+    const float halo4 = halo2 * halo2;
+    const float z = x[0] * x[0];
+    const float cosine =
+        ((skylight_sh_4_bands_1_5pct_packed_real)skylight_sh_4_bands_1_5pct_packed_short[8]) - z *
+        ((0.100000001f * skylight_sh_4_bands_1_5pct_packed_short[33]) - z * (9.99999975e-06f *
+        skylight_sh_4_bands_1_5pct_packed_short[14]));
+    const float cosine2 = cosine * cosine;
+    const float shape_y =
+        (((skylight_sh_4_bands_1_5pct_packed_real)skylight_sh_4_bands_1_5pct_packed_short[8]) +
+        ((9.99999975e-05f * skylight_sh_4_bands_1_5pct_packed_short[9]) * x[1] + (-0.00100000005f *
+        skylight_sh_4_bands_1_5pct_packed_short[10])) * (up2 * up2)) *
+        (((skylight_sh_4_bands_1_5pct_packed_real)skylight_sh_4_bands_1_5pct_packed_short[8]) +
+        ((-9.99999975e-05f * skylight_sh_4_bands_1_5pct_packed_short[15]) * x[1] + (9.99999975e-05f
+        * skylight_sh_4_bands_1_5pct_packed_short[18])) * halo4 + ((-0.00100000005f *
+        skylight_sh_4_bands_1_5pct_packed_short[27]) * x[1] + (9.99999975e-05f *
+        skylight_sh_4_bands_1_5pct_packed_short[30])) * cosine2);
+    const float y_zenith = (((((9.99999975e-06f * skylight_sh_4_bands_1_5pct_packed_short[34]) *
+        x[1] + (-9.99999975e-06f * skylight_sh_4_bands_1_5pct_packed_short[36])) * x[1] +
+        (9.99999975e-06f * skylight_sh_4_bands_1_5pct_packed_short[38])) * x[0] +
+        (((-9.99999975e-05f * skylight_sh_4_bands_1_5pct_packed_short[40]) * x[1] + (9.99999975e-05f
+        * skylight_sh_4_bands_1_5pct_packed_short[42])) * x[1] + (-9.99999975e-06f *
+        skylight_sh_4_bands_1_5pct_packed_short[44]))) * x[0] + (((9.99999975e-06f *
+        skylight_sh_4_bands_1_5pct_packed_short[46]) * x[1] + (-9.99999975e-06f *
+        skylight_sh_4_bands_1_5pct_packed_short[48])) * x[1] + (9.99999975e-05f *
+        skylight_sh_4_bands_1_5pct_packed_short[50]))) * x[0] + ((9.99999975e-06f *
+        skylight_sh_4_bands_1_5pct_packed_short[52]) * x[1] + (9.99999975e-06f *
+        skylight_sh_4_bands_1_5pct_packed_short[54]));
+    const float y_2 = ((-9.99999975e-05f * skylight_sh_4_bands_1_5pct_packed_short[22]) * x[1] +
+        (-9.99999975e-05f * skylight_sh_4_bands_1_5pct_packed_short[25])) * x[0] * (0.00999999978f *
+        skylight_sh_4_bands_1_5pct_packed_short[13]);
+    const float y2_2 = y_2 * y_2;
+    const float halo_2 = 1.0f + 0.99999845f * y_2 + y2_2 * (0.499975085f + 0.166515172f * y_2 + y2_2
+        * (0.0412233174f + 0.00765432511f * y_2 + y2_2 * 0.000849007862f));
+    const float halo2_2 = halo_2 * halo_2;
+    const float halo4_2 = halo2_2 * halo2_2;
+    const float shape_x = ((9.99999975e-05f * skylight_sh_4_bands_1_5pct_packed_short[13]) * x[1] +
+        (9.99999975e-05f * skylight_sh_4_bands_1_5pct_packed_short[56])) *
+        (((skylight_sh_4_bands_1_5pct_packed_real)skylight_sh_4_bands_1_5pct_packed_short[8]) +
+        ((-9.99999975e-05f * skylight_sh_4_bands_1_5pct_packed_short[16]) * x[1] + (9.99999975e-05f
+        * skylight_sh_4_bands_1_5pct_packed_short[19])) * halo4_2 + ((-9.99999975e-05f *
+        skylight_sh_4_bands_1_5pct_packed_short[28]) * x[1] + (9.99999975e-05f *
+        skylight_sh_4_bands_1_5pct_packed_short[31])) * cosine2);
+    const float one = zenith / (below * shape_y * y_zenith * shape_x);
+    const float x_zenith = (((((9.99999975e-06f * skylight_sh_4_bands_1_5pct_packed_short[35]) *
+        x[1] + (-9.99999975e-06f * skylight_sh_4_bands_1_5pct_packed_short[37])) * x[1] +
+        (9.99999975e-06f * skylight_sh_4_bands_1_5pct_packed_short[39])) * x[0] +
+        (((-9.99999975e-06f * skylight_sh_4_bands_1_5pct_packed_short[41]) * x[1] + (9.99999975e-06f
+        * skylight_sh_4_bands_1_5pct_packed_short[43])) * x[1] + (-9.99999975e-06f *
+        skylight_sh_4_bands_1_5pct_packed_short[45]))) * x[0] + (((9.99999975e-06f *
+        skylight_sh_4_bands_1_5pct_packed_short[47]) * x[1] + (-9.99999975e-06f *
+        skylight_sh_4_bands_1_5pct_packed_short[49])) * x[1] + (9.99999975e-06f *
+        skylight_sh_4_bands_1_5pct_packed_short[51]))) * x[0] + ((9.99999975e-06f *
+        skylight_sh_4_bands_1_5pct_packed_short[53]) * x[1] + (9.99999975e-06f *
+        skylight_sh_4_bands_1_5pct_packed_short[55]));
+    const float y_3 = ((-9.99999975e-05f * skylight_sh_4_bands_1_5pct_packed_short[23]) * x[1] +
+        (-9.99999975e-05f * skylight_sh_4_bands_1_5pct_packed_short[26])) * x[0] * (0.00999999978f *
+        skylight_sh_4_bands_1_5pct_packed_short[13]);
+    const float y2_3 = y_3 * y_3;
+    const float halo_3 = 1.0f + 0.99999845f * y_3 + y2_3 * (0.499975085f + 0.166515172f * y_3 + y2_3
+        * (0.0412233174f + 0.00765432511f * y_3 + y2_3 * 0.000849007862f));
+    const float halo2_3 = halo_3 * halo_3;
+    const float halo4_3 = halo2_3 * halo2_3;
+    const float shape_z = ((9.99999975e-06f * skylight_sh_4_bands_1_5pct_packed_short[57]) * x[1] +
+        (9.99999975e-05f * skylight_sh_4_bands_1_5pct_packed_short[58])) *
+        (((skylight_sh_4_bands_1_5pct_packed_real)skylight_sh_4_bands_1_5pct_packed_short[8]) +
+        ((-9.99999975e-05f * skylight_sh_4_bands_1_5pct_packed_short[17]) * x[1] + (9.99999975e-05f
+        * skylight_sh_4_bands_1_5pct_packed_short[20])) * halo4_3 + ((-9.99999975e-05f *
+        skylight_sh_4_bands_1_5pct_packed_short[29]) * x[1] + (9.99999975e-05f *
+        skylight_sh_4_bands_1_5pct_packed_short[32])) * cosine2);
+    const float of_x = one * x_zenith * shape_z;
+    out[4] = 3.73898554f * of_x;
+    const float of_y = one * y_zenith * shape_x;
+    const float of_s = one * shape_z * shape_x;
+    out[8] = (-0.498531401f) * of_s;
+    out[0] = out[4] + (-1.03860712f) * of_y + out[8];
+    out[5] = (-1.01082206f) * of_x;
+    out[9] = (9.99999997e-07f * skylight_sh_4_bands_1_5pct_packed_short[59]) * of_s;
+    out[1] = out[5] + 1.83445477f * of_y + out[9];
+    out[6] = (-1.00158179f) * of_x;
+    out[10] = 1.05722523f * of_s;
+    out[2] = out[6] + (-1.26125109f) * of_y + out[10];
+    out[3] = ((skylight_sh_4_bands_1_5pct_packed_real)skylight_sh_4_bands_1_5pct_packed_short[60]);
+    out[7] = ((skylight_sh_4_bands_1_5pct_packed_real)skylight_sh_4_bands_1_5pct_packed_short[60]);
+    out[11] = ((skylight_sh_4_bands_1_5pct_packed_real)skylight_sh_4_bands_1_5pct_packed_short[60]);
+    (void)x;
+}
+
+#endif /* SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_LANES */
+
+/* The functions of sun_zenith (change of variable: even); 0 where there is
+   none. */
+static inline void skylight_sh_4_bands_1_5pct_packed_first(const
+    skylight_sh_4_bands_1_5pct_packed_real *x, skylight_sh_4_bands_1_5pct_packed_real *out)
+{
+    out[0] = 1.0f;
+    out[1] = (-13.3479729f) * (x[0] * x[0] - 0.0f) / ((-14.0f) - x[0] * x[0]) - 1.0f;
+    out[2] = 2.0f * out[1] * out[1] - 1.0f;
+    out[3] = 2.0f * out[1] * out[2] - out[1];
+    out[4] = 2.0f * out[2] * out[2] - 1.0f;
+    out[5] = 0.0f;
+    out[6] = 0.0f;
+    out[7] = 0.0f;
+    (void)x;
+}
+
+/* All products of the functions of turbidity (change of variable:
+   reciprocal). */
+static inline void skylight_sh_4_bands_1_5pct_packed_others(const
+    skylight_sh_4_bands_1_5pct_packed_real *x, skylight_sh_4_bands_1_5pct_packed_real *out)
+{
+    out[0] = 1.0f;
+    out[1] = (-4.85714293f) * (x[1] - 2.5f) / ((-2.5f) - x[1]) - 1.0f;
+    out[2] = 2.0f * out[1] * out[1] - 1.0f;
+    out[3] = 2.0f * out[1] * out[2] - out[1];
+    (void)x;
+}
+
+/* cos(m azimuth) and sin(m azimuth), m < bands, each times the m-th power
+   of `radius`, by doubling. */
+static inline void skylight_sh_4_bands_1_5pct_packed_waves(skylight_sh_4_bands_1_5pct_packed_real
+    cosine, skylight_sh_4_bands_1_5pct_packed_real sine,
+    skylight_sh_4_bands_1_5pct_packed_real radius, skylight_sh_4_bands_1_5pct_packed_real *cosines,
+    skylight_sh_4_bands_1_5pct_packed_real *sines)
+{
+    cosines[0] = 1.0f;
+    cosines[1] = radius * cosine;
+    sines[1] = radius * sine;
+    cosines[2] = cosines[1] * cosines[1] - sines[1] * sines[1];
+    sines[2] = sines[1] * cosines[1] + cosines[1] * sines[1];
+    cosines[3] = cosines[1] * cosines[2] - sines[1] * sines[2];
+    sines[0] = 0.0f;
+    sines[3] = sines[1] * cosines[2] + cosines[1] * sines[2];
+}
+
+/* The sine of the sun's zenith angle, whose powers the sums of order m
+   lack. */
+static inline skylight_sh_4_bands_1_5pct_packed_real skylight_sh_4_bands_1_5pct_packed_sine(const
+    skylight_sh_4_bands_1_5pct_packed_real *x)
+{
+    const float part_1 = x[SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_SUN] *
+        x[SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_SUN];
+    return x[SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_SUN] + x[SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_SUN] *
+        (part_1 * ((-0.166666597f) + part_1 * (0.00833306555f + part_1 * ((-0.000198095426f) +
+        part_1 * 2.60563934e-06f))));
+}
+
+/* Cosine and sine of an angle of at most an eighth of a turn. */
+static inline void skylight_sh_4_bands_1_5pct_packed_quarter(skylight_sh_4_bands_1_5pct_packed_real
+    angle, skylight_sh_4_bands_1_5pct_packed_real *out)
+{
+    const float part_1 = angle * angle;
+    out[0] = 1.0f - 0.5f * part_1 + part_1 * part_1 * (0.0416666456f + part_1 * ((-0.00138873665f) +
+        part_1 * 2.44383464e-05f));
+    out[1] = angle + angle * (part_1 * ((-0.166666552f) + part_1 * (0.0083321603f + part_1 *
+        (-0.00019515281f))));
+}
+
+/* The zonal window's factor for the degree `share` * bands (Habel et al.
+   2008, eq. 5). */
+static inline float skylight_sh_4_bands_1_5pct_packed_sinc(float share)
+{
+    const float x = 3.14159274f * share;
+    return sinf(x) / x;
+}
+
+/* Of each axis: where its functions have slopes. */
+static const double
+    skylight_sh_4_bands_1_5pct_packed_slope_range[SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_AXES][2] = { {
+    0.0, 1.5707963267948966 }, { 2.5, 6.0 } };
+
+/* The functions of an axis at v, and their slopes. */
+static inline void skylight_sh_4_bands_1_5pct_packed_functions(int axis, double v, double *out,
+    double *slopes)
+{
+    if (axis == 0) {
+        out[0] = 1.0;
+        const double part_1 = (-14.0) - v * v;
+        const double part_2 = (-13.347972567941833) * (v * v - 0.0) / part_1;
+        out[1] = part_2 - 1.0;
+        const double part_3 = 2.0 * out[1];
+        out[2] = part_3 * out[1] - 1.0;
+        const double part_4 = 2.0 * out[1];
+        out[3] = part_4 * out[2] - out[1];
+        const double part_5 = 2.0 * out[2];
+        out[4] = part_5 * out[2] - 1.0;
+        slopes[0] = 0.0;
+        slopes[1] = (-13.347972567941833) * (v + v) / part_1 - part_2 * -(v + v) / part_1;
+        slopes[2] = 2.0 * slopes[1] * out[1] + part_3 * slopes[1];
+        slopes[3] = 2.0 * slopes[1] * out[2] + part_4 * slopes[2] - slopes[1];
+        slopes[4] = 2.0 * slopes[2] * out[2] + part_5 * slopes[2];
+    }
+    if (axis == 1) {
+        out[0] = 1.0;
+        const double part_1 = (-2.5) - v;
+        const double part_2 = (-4.8571428571428568) * (v - 2.5) / part_1;
+        out[1] = part_2 - 1.0;
+        const double part_3 = 2.0 * out[1];
+        out[2] = part_3 * out[1] - 1.0;
+        const double part_4 = 2.0 * out[1];
+        out[3] = part_4 * out[2] - out[1];
+        slopes[0] = 0.0;
+        slopes[1] = (-4.8571428571428568) / part_1 - part_2 * -1.0 / part_1;
+        slopes[2] = 2.0 * slopes[1] * out[1] + part_3 * slopes[1];
+        slopes[3] = 2.0 * slopes[1] * out[2] + part_4 * slopes[2] - slopes[1];
+    }
+    (void)v;
+}
+
+/* The factors, then their slopes after each axis. */
+static inline void skylight_sh_4_bands_1_5pct_packed_factor_slopes(const double *x, double *out)
+{
+    const double part_1 = 4045.3000000000002 * x[1] - 4971.0;
+    const double part_2 = 0.88888888888888884 - x[1] * 0.016666666666666666;
+    const double part_3 = 1.5707963267948966 - x[0];
+    const double chi = part_2 * part_3;
+    const double square = chi * chi;
+    const double part_4 = 105.0 - square;
+    const double part_5 = 945.0 - square * part_4;
+    const double part_6 = chi * part_5;
+    const double part_7 = 2419.1999999999998 - 215.5 * x[1];
+    const double part_8 = 420.0 - 15.0 * square;
+    const double below = 945.0 - square * part_8;
+    const double zenith = part_1 * part_6 + part_7 * below;
+    const double part_9 = 0.1787 * x[1] + (-1.4630000000000001);
+    const double part_10 = (-0.35539999999999999) * x[1] + 0.42749999999999999;
+    const double part_11 = 0.25 + part_10 * 0.03125;
+    const double up = 1.0 + part_10 * part_11;
+    const double up2 = up * up;
+    const double part_12 = up2 * up2;
+    const double part_13 = 1.0 + part_9 * part_12;
+    const double part_14 = (-0.022700000000000001) * x[1] + 5.3250999999999999;
+    const double part_15 = 0.1206 * x[1] + (-2.5771000000000002);
+    const double y = part_15 * x[0] * 0.25;
+    const double y2 = y * y;
+    const double part_16 = 0.041223317699999998 + 0.0076543250999999996 * y + y2 *
+        0.00084900787100000003;
+    const double part_17 = 0.49997509099999998 + 0.16651516699999999 * y + y2 * part_16;
+    const double halo = 0.99999998400000001 + 0.99999845399999998 * y + y2 * part_17;
+    const double halo2 = halo * halo;
+    const double halo4 = halo2 * halo2;
+    const double part_18 = (-0.067000000000000004) * x[1] + 0.37030000000000002;
+    const double z = x[0] * x[0];
+    const double part_19 = 0.5 - z * 0.03125;
+    const double cosine = 1.0 - z * part_19;
+    const double cosine2 = cosine * cosine;
+    const double part_20 = 1.0 + part_14 * halo4 + part_18 * cosine2;
+    const double shape_y = part_13 * part_20;
+    const double part_21 = below * shape_y;
+    const double part_22 = 0.0027499999999999998 * x[1] + (-0.042139999999999997);
+    const double part_23 = part_22 * x[1] + 0.15346000000000001;
+    const double part_24 = (-0.0061000000000000004) * x[1] + 0.089700000000000002;
+    const double part_25 = part_23 * x[0] + (part_24 * x[1] + (-0.26756000000000002));
+    const double part_26 = 0.0031700000000000001 * x[1] + (-0.041529999999999997);
+    const double part_27 = part_25 * x[0] + (part_26 * x[1] + 0.066699999999999995);
+    const double y_zenith = part_27 * x[0] + (0.0051599999999999997 * x[1] + 0.26688000000000001);
+    const double part_28 = part_21 * y_zenith;
+    const double part_29 = 0.0025000000000000001 * x[1] + 0.73319999999999996;
+    const double part_30 = (-0.00040000000000000002) * x[1] + 0.21249999999999999;
+    const double part_31 = (-0.064100000000000004) * x[1] + (-0.89890000000000003);
+    const double y_2 = part_31 * x[0] * 0.25;
+    const double y2_2 = y_2 * y_2;
+    const double part_32 = 0.041223317699999998 + 0.0076543250999999996 * y_2 + y2_2 *
+        0.00084900787100000003;
+    const double part_33 = 0.49997509099999998 + 0.16651516699999999 * y_2 + y2_2 * part_32;
+    const double halo_2 = 0.99999998400000001 + 0.99999845399999998 * y_2 + y2_2 * part_33;
+    const double halo2_2 = halo_2 * halo_2;
+    const double halo4_2 = halo2_2 * halo2_2;
+    const double part_34 = (-0.0033) * x[1] + 0.045199999999999997;
+    const double part_35 = 1.0 + part_30 * halo4_2 + part_34 * cosine2;
+    const double shape_x = part_29 * part_35;
+    const double part_36 = part_28 * shape_x;
+    const double one = zenith / part_36;
+    const double part_37 = 0.00166 * x[1] + (-0.02903);
+    const double part_38 = part_37 * x[1] + 0.11693000000000001;
+    const double part_39 = (-0.0037499999999999999) * x[1] + 0.063769999999999993;
+    const double part_40 = part_38 * x[0] + (part_39 * x[1] + (-0.21196000000000001));
+    const double part_41 = 0.0020899999999999998 * x[1] + (-0.03202);
+    const double part_42 = part_40 * x[0] + (part_41 * x[1] + 0.060519999999999997);
+    const double x_zenith = part_42 * x[0] + (0.0039399999999999999 * x[1] + 0.25885999999999998);
+    const double part_43 = one * x_zenith;
+    const double part_44 = 0.0099299999999999996 * x[1] + 0.73440000000000005;
+    const double part_45 = (-0.0079000000000000008) * x[1] + 0.2102;
+    const double part_46 = (-0.0441) * x[1] + (-1.6536999999999999);
+    const double y_3 = part_46 * x[0] * 0.25;
+    const double y2_3 = y_3 * y_3;
+    const double part_47 = 0.041223317699999998 + 0.0076543250999999996 * y_3 + y2_3 *
+        0.00084900787100000003;
+    const double part_48 = 0.49997509099999998 + 0.16651516699999999 * y_3 + y2_3 * part_47;
+    const double halo_3 = 0.99999998400000001 + 0.99999845399999998 * y_3 + y2_3 * part_48;
+    const double halo2_3 = halo_3 * halo_3;
+    const double halo4_3 = halo2_3 * halo2_3;
+    const double part_49 = (-0.0109) * x[1] + 0.052900000000000003;
+    const double part_50 = 1.0 + part_45 * halo4_3 + part_49 * cosine2;
+    const double shape_z = part_44 * part_50;
+    const double of_x = part_43 * shape_z;
+    out[4] = 3.7389855999999999 * of_x;
+    const double part_51 = one * y_zenith;
+    const double of_y = part_51 * shape_x;
+    const double part_52 = one * shape_z;
+    const double of_s = part_52 * shape_x;
+    out[8] = (-0.49853140000000001) * of_s;
+    out[0] = out[4] + (-1.0386070999999999) * of_y + out[8];
+    out[5] = (-1.0108219999999999) * of_x;
+    out[9] = 0.041556000000000003 * of_s;
+    out[1] = out[5] + 1.8344548000000001 * of_y + out[9];
+    out[6] = (-1.0015818000000001) * of_x;
+    out[10] = 1.0572252 * of_s;
+    out[2] = out[6] + (-1.2612511) * of_y + out[10];
+    const double part_53 = part_2 * -1.0;
+    const double part_54 = part_53 * chi + chi * part_53;
+    const double part_55 = -(part_54 * part_8 + square * -(15.0 * part_54));
+    const double part_56 = part_15 * 0.25;
+    const double part_57 = part_56 * y + y * part_56;
+    const double part_58 = 0.99999845399999998 * part_56 + (part_57 * part_17 + y2 *
+        (0.16651516699999999 * part_56 + (part_57 * part_16 + y2 * (0.0076543250999999996 * part_56
+        + part_57 * 0.00084900787100000003))));
+    const double part_59 = part_58 * halo + halo * part_58;
+    const double part_60 = x[0] + x[0];
+    const double part_61 = -(part_60 * part_19 + z * -(part_60 * 0.03125));
+    const double part_62 = part_61 * cosine + cosine * part_61;
+    const double part_63 = (part_23 * x[0] + part_25) * x[0] + part_27;
+    const double part_64 = part_31 * 0.25;
+    const double part_65 = part_64 * y_2 + y_2 * part_64;
+    const double part_66 = 0.99999845399999998 * part_64 + (part_65 * part_33 + y2_2 *
+        (0.16651516699999999 * part_64 + (part_65 * part_32 + y2_2 * (0.0076543250999999996 *
+        part_64 + part_65 * 0.00084900787100000003))));
+    const double part_67 = part_66 * halo_2 + halo_2 * part_66;
+    const double part_68 = part_29 * (part_30 * (part_67 * halo2_2 + halo2_2 * part_67) + part_34 *
+        part_62);
+    const double part_69 = (part_1 * (part_53 * part_5 + chi * -(part_54 * part_4 + square *
+        -part_54)) + part_7 * part_55) / part_36 - one * (((part_55 * shape_y + below * (part_13 *
+        (part_14 * (part_59 * halo2 + halo2 * part_59) + part_18 * part_62))) * y_zenith + part_21 *
+        part_63) * shape_x + part_28 * part_68) / part_36;
+    const double part_70 = part_46 * 0.25;
+    const double part_71 = part_70 * y_3 + y_3 * part_70;
+    const double part_72 = 0.99999845399999998 * part_70 + (part_71 * part_48 + y2_3 *
+        (0.16651516699999999 * part_70 + (part_71 * part_47 + y2_3 * (0.0076543250999999996 *
+        part_70 + part_71 * 0.00084900787100000003))));
+    const double part_73 = part_72 * halo_3 + halo_3 * part_72;
+    const double part_74 = part_44 * (part_45 * (part_73 * halo2_3 + halo2_3 * part_73) + part_49 *
+        part_62);
+    const double part_75 = (part_69 * x_zenith + one * ((part_38 * x[0] + part_40) * x[0] +
+        part_42)) * shape_z + part_43 * part_74;
+    out[16] = 3.7389855999999999 * part_75;
+    const double part_76 = (part_69 * y_zenith + one * part_63) * shape_x + part_51 * part_68;
+    const double part_77 = (part_69 * shape_z + one * part_74) * shape_x + part_52 * part_68;
+    out[20] = (-0.49853140000000001) * part_77;
+    out[12] = out[16] + (-1.0386070999999999) * part_76 + out[20];
+    out[17] = (-1.0108219999999999) * part_75;
+    out[21] = 0.041556000000000003 * part_77;
+    out[13] = out[17] + 1.8344548000000001 * part_76 + out[21];
+    out[18] = (-1.0015818000000001) * part_75;
+    out[22] = 1.0572252 * part_77;
+    out[14] = out[18] + (-1.2612511) * part_76 + out[22];
+    const double part_78 = -0.016666666666666666 * part_3;
+    const double part_79 = part_78 * chi + chi * part_78;
+    const double part_80 = -(part_79 * part_8 + square * -(15.0 * part_79));
+    const double part_81 = (-0.35539999999999999) * part_11 + part_10 * ((-0.35539999999999999) *
+        0.03125);
+    const double part_82 = part_81 * up + up * part_81;
+    const double part_83 = 0.1206 * x[0] * 0.25;
+    const double part_84 = part_83 * y + y * part_83;
+    const double part_85 = 0.99999845399999998 * part_83 + (part_84 * part_17 + y2 *
+        (0.16651516699999999 * part_83 + (part_84 * part_16 + y2 * (0.0076543250999999996 * part_83
+        + part_84 * 0.00084900787100000003))));
+    const double part_86 = part_85 * halo + halo * part_85;
+    const double part_87 = (((0.0027499999999999998 * x[1] + part_22) * x[0] +
+        ((-0.0061000000000000004) * x[1] + part_24)) * x[0] + (0.0031700000000000001 * x[1] +
+        part_26)) * x[0] + 0.0051599999999999997;
+    const double part_88 = (-0.064100000000000004) * x[0] * 0.25;
+    const double part_89 = part_88 * y_2 + y_2 * part_88;
+    const double part_90 = 0.99999845399999998 * part_88 + (part_89 * part_33 + y2_2 *
+        (0.16651516699999999 * part_88 + (part_89 * part_32 + y2_2 * (0.0076543250999999996 *
+        part_88 + part_89 * 0.00084900787100000003))));
+    const double part_91 = part_90 * halo_2 + halo_2 * part_90;
+    const double part_92 = 0.0025000000000000001 * part_35 + part_29 * ((-0.00040000000000000002) *
+        halo4_2 + part_30 * (part_91 * halo2_2 + halo2_2 * part_91) + (-0.0033) * cosine2);
+    const double part_93 = (4045.3000000000002 * part_6 + part_1 * (part_78 * part_5 + chi *
+        -(part_79 * part_4 + square * -part_79)) + (-215.5 * below + part_7 * part_80)) / part_36 -
+        one * (((part_80 * shape_y + below * ((0.1787 * part_12 + part_9 * (part_82 * up2 + up2 *
+        part_82)) * part_20 + part_13 * ((-0.022700000000000001) * halo4 + part_14 * (part_86 *
+        halo2 + halo2 * part_86) + (-0.067000000000000004) * cosine2))) * y_zenith + part_21 *
+        part_87) * shape_x + part_28 * part_92) / part_36;
+    const double part_94 = (-0.0441) * x[0] * 0.25;
+    const double part_95 = part_94 * y_3 + y_3 * part_94;
+    const double part_96 = 0.99999845399999998 * part_94 + (part_95 * part_48 + y2_3 *
+        (0.16651516699999999 * part_94 + (part_95 * part_47 + y2_3 * (0.0076543250999999996 *
+        part_94 + part_95 * 0.00084900787100000003))));
+    const double part_97 = part_96 * halo_3 + halo_3 * part_96;
+    const double part_98 = 0.0099299999999999996 * part_50 + part_44 * ((-0.0079000000000000008) *
+        halo4_3 + part_45 * (part_97 * halo2_3 + halo2_3 * part_97) + (-0.0109) * cosine2);
+    const double part_99 = (part_93 * x_zenith + one * ((((0.00166 * x[1] + part_37) * x[0] +
+        ((-0.0037499999999999999) * x[1] + part_39)) * x[0] + (0.0020899999999999998 * x[1] +
+        part_41)) * x[0] + 0.0039399999999999999)) * shape_z + part_43 * part_98;
+    out[28] = 3.7389855999999999 * part_99;
+    const double part_100 = (part_93 * y_zenith + one * part_87) * shape_x + part_51 * part_92;
+    const double part_101 = (part_93 * shape_z + one * part_98) * shape_x + part_52 * part_92;
+    out[32] = (-0.49853140000000001) * part_101;
+    out[24] = out[28] + (-1.0386070999999999) * part_100 + out[32];
+    out[29] = (-1.0108219999999999) * part_99;
+    out[33] = 0.041556000000000003 * part_101;
+    out[25] = out[29] + 1.8344548000000001 * part_100 + out[33];
+    out[30] = (-1.0015818000000001) * part_99;
+    out[34] = 1.0572252 * part_101;
+    out[26] = out[30] + (-1.2612511) * part_100 + out[34];
+    (void)x;
+}
+
+/* The sine of the sun's zenith angle, then its slope. */
+static inline void skylight_sh_4_bands_1_5pct_packed_sine_slope(const double *x, double *out)
+{
+    out[0] = sin(x[SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_SUN]);
+    out[1] = cos(x[SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_SUN]);
+}
+
+/* 0 for a finite number, 1 for an infinity, 2 for NaN: by its bits, so that -ffast-math cannot
+   remove the test. */
+static inline int skylight_sh_4_bands_1_5pct_packed_kind(float v)
+{
+    uint32_t bits;
+    memcpy(&bits, &v, sizeof bits);
+    bits &= 0x7fffffffu;
+    return (bits >= 0x7f800000u) + (bits > 0x7f800000u);
+}
+
+/* A number that is no NaN, finite: an infinity becomes a large number of its sign. */
+static inline float skylight_sh_4_bands_1_5pct_packed_finite(float v)
+{
+    if (skylight_sh_4_bands_1_5pct_packed_kind(v)) {
+        uint32_t bits;
+        memcpy(&bits, &v, sizeof bits);
+        v = bits >> 31 ? -3e38f : 3e38f;
+    }
+    return v;
+}
+
+/* Clamps the axes' inputs into x. Returns the status: 0; 1 where one was not inside; 2, and nothing
+   in x, where one is NaN or the azimuth no finite number. */
+static inline int skylight_sh_4_bands_1_5pct_packed_inputs(const float
+    inputs[SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_AXES], float azimuth,
+                                     skylight_sh_4_bands_1_5pct_packed_real
+                                         x[SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_AXES])
+{
+    int axis, status = 0, strange = skylight_sh_4_bands_1_5pct_packed_kind(azimuth) ? 2 : 0;
+    for (axis = 0; axis < SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_AXES; ++axis) strange |=
+        skylight_sh_4_bands_1_5pct_packed_kind(inputs[axis]);
+    if (strange & 2) return 2;
+    for (axis = 0; axis < SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_AXES; ++axis) {
+        const float v = strange ? skylight_sh_4_bands_1_5pct_packed_finite(inputs[axis]) :
+            inputs[axis];
+        const skylight_sh_4_bands_1_5pct_packed_real low =
+            skylight_sh_4_bands_1_5pct_packed_range[axis][0],
+            high = skylight_sh_4_bands_1_5pct_packed_range[axis][1];
+        const skylight_sh_4_bands_1_5pct_packed_real at_least =
+            (skylight_sh_4_bands_1_5pct_packed_real)v < low ? low :
+            (skylight_sh_4_bands_1_5pct_packed_real)v;
+        status |= (v < skylight_sh_4_bands_1_5pct_packed_inside[axis][0]) | (v >
+            skylight_sh_4_bands_1_5pct_packed_inside[axis][1]);
+        x[axis] = at_least > high ? high : at_least;
+    }
+    return status;
+}
+
+/* The cosine and sine of an angle. */
+static inline void skylight_sh_4_bands_1_5pct_packed_circle(skylight_sh_4_bands_1_5pct_packed_real
+    angle, skylight_sh_4_bands_1_5pct_packed_real *cosine,
+                                      skylight_sh_4_bands_1_5pct_packed_real *sine)
+{
+    /* By the nearest quarter turn and the rest of it: without a branch, which a processor would
+     * have
+       to guess. The rest in double, since the two nearly cancel. */
+    float out[2];
+    uint32_t bits[2], quarter, swapped;
+    int quarters;
+    if (!(angle > -1e5f && angle < 1e5f)) {
+        *cosine = cosf(angle);
+        *sine = sinf(angle);
+        return;
+    }
+    quarters = (int)(angle * 0.636619772f + copysignf(0.5f, angle));
+    skylight_sh_4_bands_1_5pct_packed_quarter((float)((double)angle - (double)quarters *
+        1.5707963267948966), out);
+    memcpy(bits, out, sizeof bits);
+    quarter = (uint32_t)quarters;
+    /* Odd quarters swap the two; each changes its sign in two of four. */
+    swapped = (bits[0] ^ bits[1]) & (0u - (quarter & 1u));
+    bits[0] ^= swapped ^ (((quarter + 1u) & 2u) << 30);
+    bits[1] ^= swapped ^ ((quarter & 2u) << 30);
+    memcpy(cosine, &bits[0], sizeof bits[0]);
+    memcpy(sine, &bits[1], sizeof bits[1]);
+}
+
 /* One channel's sums, from those of its classes. */
 static inline void skylight_sh_4_bands_1_5pct_packed_mix(skylight_sh_4_bands_1_5pct_packed_real
     sums[SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_CLASSES][SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_ROOM],
@@ -900,11 +1090,10 @@ static inline void skylight_sh_4_bands_1_5pct_packed_mix(skylight_sh_4_bands_1_5
     int i;
     int k;
     for (i = 0; i < SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_WIDTH; ++i)
-        mixed[i] = factors[channel * SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_CLASSES] * sums[0][i];
+        mixed[i] = factors[SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_FACTOR(channel, 0)] * sums[0][i];
     for (k = 1; k < SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_CLASSES; ++k)
         for (i = 0; i < SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_WIDTH; ++i)
-            mixed[i] += factors[channel * SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_CLASSES + k] *
-                sums[k][i];
+            mixed[i] += factors[SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_FACTOR(channel, k)] * sums[k][i];
 }
 
 /* Orders m >= 0 alone are stored: those of a light that is even in y at azimuth 0. */
@@ -949,12 +1138,12 @@ static inline void skylight_sh_4_bands_1_5pct_packed_store(
         skylight_sh_4_bands_1_5pct_packed_four v[SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_FOURS];
         for (q = 0; q < SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_FOURS; ++q) {
             int k;
-            v[q] = factors[channel * SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_CLASSES] *
-                skylight_sh_4_bands_1_5pct_packed_load_four(sums[0] + 4 * q);
+            v[q] = factors[SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_FACTOR(channel,
+                0)] * skylight_sh_4_bands_1_5pct_packed_load_four(sums[0] + 4 * q);
             for (k = 1; k < SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_CLASSES; ++k)
                 v[q] = skylight_sh_4_bands_1_5pct_packed_add_four(
-                    skylight_sh_4_bands_1_5pct_packed_spread_four(factors[channel *
-                        SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_CLASSES + k]),
+                    skylight_sh_4_bands_1_5pct_packed_spread_four(factors
+                        [SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_FACTOR(channel, k)]),
                     skylight_sh_4_bands_1_5pct_packed_load_four(sums[k] + 4 * q), v[q]);
         }
 #define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_BAND(l, stores) \
@@ -1010,6 +1199,10 @@ static inline void skylight_sh_4_bands_1_5pct_packed_store(
 #define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_BLOCK \
     ((SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_VECTORS(SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_WIDTH) + \
         SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_BLOCKS - 1) / SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_BLOCKS)
+/* What is done for each vector of a block: written out, since a compiler that keeps loops keeps
+ * their
+   vectors in memory. */
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_EACH(DO) DO(0) DO(1) DO(2) DO(3) DO(4) DO(5) DO(6) DO(7)
 #endif
 
 /* The products of the functions of all axes, of one class in the order of its rows. */
@@ -1047,41 +1240,52 @@ static inline void skylight_sh_4_bands_1_5pct_packed_sum_block(const
                                          const skylight_sh_4_bands_1_5pct_packed_real *products,
                                              skylight_sh_4_bands_1_5pct_packed_real *sums)
 {
-    skylight_sh_4_bands_1_5pct_packed_lanes
-        total[SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_SIDE][SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_BLOCK];
-    int t, i, k;
-    for (i = 0; i < SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_SIDE; ++i)
-        for (k = 0; k < SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_BLOCK; ++k) total[i][k] =
-            skylight_sh_4_bands_1_5pct_packed_spread(0);
+    skylight_sh_4_bands_1_5pct_packed_lanes total[8];
+    int t;
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_ZERO(k) total[k] = \
+    skylight_sh_4_bands_1_5pct_packed_spread(0);
+    /* Vector k of so many rows side by side. */
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_ROWS(k) \
+    if ((k) / SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_BLOCK < SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_SIDE) \
+        total[k] = skylight_sh_4_bands_1_5pct_packed_add( \
+            skylight_sh_4_bands_1_5pct_packed_spread(products[t + (k) / \
+                SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_BLOCK]), \
+            skylight_sh_4_bands_1_5pct_packed_load(row + (k) / \
+                SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_BLOCK * SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_WIDTH \
+                + \
+                             (k) % SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_BLOCK * \
+                                 SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_LANES), \
+            total[k]);
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_ROW(k) \
+    if ((k) < SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_BLOCK) \
+        total[k] = \
+            skylight_sh_4_bands_1_5pct_packed_add(skylight_sh_4_bands_1_5pct_packed_spread( \
+            products[t]), \
+                                   skylight_sh_4_bands_1_5pct_packed_load(row + (k) * \
+                                       SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_LANES), total[k]);
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_SIDES(k) \
+    if ((k) >= SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_BLOCK) total[(k) % \
+        SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_BLOCK] += total[k];
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_SUM(k) \
+    if ((k) < SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_BLOCK) memcpy(sums + (k) * \
+        SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_LANES, &total[k], sizeof total[k]);
+    SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_EACH(SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_ZERO)
     for (t = 0; t + SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_SIDE <= terms; t +=
         SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_SIDE) {
-        for (i = 0; i < SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_SIDE; ++i) {
-            const skylight_sh_4_bands_1_5pct_packed_lanes product =
-                skylight_sh_4_bands_1_5pct_packed_spread(products[t + i]);
-            for (k = 0; k < SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_BLOCK; ++k)
-                total[i][k] = skylight_sh_4_bands_1_5pct_packed_add(
-                    product, skylight_sh_4_bands_1_5pct_packed_load(row + i *
-                        SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_WIDTH + k *
-                        SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_LANES),
-                    total[i][k]);
-        }
+        SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_EACH(SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_ROWS)
         row += SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_SIDE * SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_WIDTH;
     }
     for (; t < terms; ++t) {
-        const skylight_sh_4_bands_1_5pct_packed_lanes product =
-            skylight_sh_4_bands_1_5pct_packed_spread(products[t]);
-        for (k = 0; k < SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_BLOCK; ++k)
-            total[0][k] = skylight_sh_4_bands_1_5pct_packed_add(product,
-                skylight_sh_4_bands_1_5pct_packed_load(row + k *
-                SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_LANES),
-                                          total[0][k]);
+        SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_EACH(SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_ROW)
         row += SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_WIDTH;
     }
-    for (k = 0; k < SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_BLOCK; ++k) {
-        for (i = 1; i < SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_SIDE; ++i) total[0][k] += total[i][k];
-        memcpy(sums + k * SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_LANES, &total[0][k],
-            sizeof total[0][k]);
-    }
+    SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_EACH(SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_SIDES)
+    SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_EACH(SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_SUM)
+#undef SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_ZERO
+#undef SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_ROWS
+#undef SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_ROW
+#undef SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_SIDES
+#undef SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_SUM
 }
 
 /* The same for one vector of each row. */
@@ -1221,14 +1425,26 @@ typedef struct {
     int count;
 } skylight_sh_4_bands_1_5pct_packed_bits;
 
-static inline void skylight_sh_4_bands_1_5pct_packed_fill(skylight_sh_4_bands_1_5pct_packed_bits *b)
+/* Holds at least 56 bits, at most 63, so that there is a zero above them; past the stream's end
+ * there
+   are zeros. What stands above `count` bits is the stream's too, and is read again. */
+SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_INLINE void
+    skylight_sh_4_bands_1_5pct_packed_fill(skylight_sh_4_bands_1_5pct_packed_bits *b)
 {
     const unsigned char *const end = skylight_sh_4_bands_1_5pct_packed_stream + sizeof
         skylight_sh_4_bands_1_5pct_packed_stream;
-    /* At most 63 bits, so that there is a zero above them. */
-    while (b->count < 56 && b->next < end) {
-        b->held |= (uint64_t)*b->next++ << b->count;
-        b->count += 8;
+    const unsigned char *const p = b->next;
+    if (end - p >= 8) {
+        /* One load, whatever the order of a machine's bytes. */
+        const uint64_t word = (uint64_t)p[0] | (uint64_t)p[1] << 8 | (uint64_t)p[2] << 16 |
+                              (uint64_t)p[3] << 24 | (uint64_t)p[4] << 32 | (uint64_t)p[5] << 40 |
+                              (uint64_t)p[6] << 48 | (uint64_t)p[7] << 56;
+        b->held = (b->held | word << b->count) & (UINT64_MAX >> 1);
+        b->next += (63 - b->count) >> 3;
+        b->count |= 56;
+    } else {
+        for (; b->count < 56; b->count += 8)
+            if (b->next < end) b->held |= (uint64_t)*b->next++ << b->count;
     }
 }
 
@@ -1256,25 +1472,48 @@ static inline int skylight_sh_4_bands_1_5pct_packed_ones(uint64_t held)
 #endif
 }
 
-/* A Rice code of `low` low bits: ones, a zero, the low bits; then folded back: 0, 1, 2, 3 -> 0, -1,
-   1, -2. */
-static inline int skylight_sh_4_bands_1_5pct_packed_rice(skylight_sh_4_bands_1_5pct_packed_bits *b,
-    int low)
+/* The bits after a Rice code that is longer than what is held, and its number, folded. */
+static inline skylight_sh_4_bands_1_5pct_packed_bits
+    skylight_sh_4_bands_1_5pct_packed_long(skylight_sh_4_bands_1_5pct_packed_bits b, int low,
+    unsigned *folded)
 {
-    unsigned high = 0, folded;
+    unsigned high = 0;
     int ones;
-    if (b->count < 32) skylight_sh_4_bands_1_5pct_packed_fill(b);
-    while ((ones = skylight_sh_4_bands_1_5pct_packed_ones(b->held)) >= b->count) {
-        high += (unsigned)b->count;
-        b->held = 0;
-        b->count = 0;
-        skylight_sh_4_bands_1_5pct_packed_fill(b);
+    while ((ones = skylight_sh_4_bands_1_5pct_packed_ones(b.held)) >= b.count) {
+        high += (unsigned)b.count;
+        b.held = 0;
+        b.count = 0;
+        skylight_sh_4_bands_1_5pct_packed_fill(&b);
     }
     high += (unsigned)ones;
-    b->held = b->held >> ones >> 1;
-    b->count -= ones + 1;
-    folded = (high << low) | skylight_sh_4_bands_1_5pct_packed_fixed(b, low);
-    return folded & 1 ? -(int)(folded >> 1) - 1 : (int)(folded >> 1);
+    b.held = b.held >> ones >> 1;
+    b.count -= ones + 1;
+    *folded = (high << low) | skylight_sh_4_bands_1_5pct_packed_fixed(&b, low);
+    return b;
+}
+
+/* A Rice code of `low` low bits: ones, a zero, the low bits; then folded back: 0, 1, 2, 3 -> 0, -1,
+   1, -2. */
+SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_INLINE int
+    skylight_sh_4_bands_1_5pct_packed_rice(skylight_sh_4_bands_1_5pct_packed_bits *b, int low)
+{
+    unsigned folded;
+    int ones, size;
+    if (b->count < 32) skylight_sh_4_bands_1_5pct_packed_fill(b);
+    ones = skylight_sh_4_bands_1_5pct_packed_ones(b->held);
+    size = ones + 1 + low;
+    if (size <= b->count) {
+        /* All of it is held: what follows waits for one shift. */
+        const uint64_t rest = b->held >> ones >> 1;
+        folded = ((unsigned)ones << low) | (unsigned)(rest & ((UINT64_C(1) << low) - 1));
+        b->held >>= size;
+        b->count -= size;
+    } else {
+        unsigned found;
+        *b = skylight_sh_4_bands_1_5pct_packed_long(*b, low, &found);
+        folded = found;
+    }
+    return (int)(folded >> 1) ^ -(int)(folded & 1);
 }
 
 /* The stream from its start. */
@@ -1298,7 +1537,7 @@ static inline void
 }
 
 /* The length of the next run, by that of the same class and product at the weight before. */
-static inline int
+SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_INLINE int
     skylight_sh_4_bands_1_5pct_packed_next_length(skylight_sh_4_bands_1_5pct_packed_bits *b,
     signed char *length)
 {
@@ -1308,7 +1547,7 @@ static inline int
 }
 
 /* The next number, of `size` half low bits. */
-static inline int
+SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_INLINE int
     skylight_sh_4_bands_1_5pct_packed_next_number(skylight_sh_4_bands_1_5pct_packed_bits *b,
     int size)
 {
@@ -1472,11 +1711,9 @@ static inline int skylight_sh_4_bands_1_5pct_packed_evaluate(const
         sines[SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_BANDS];
     skylight_sh_4_bands_1_5pct_packed_real
         sums[SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_CLASSES][SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_ROOM];
-    skylight_sh_4_bands_1_5pct_packed_real factors[SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_CHANNELS *
-        SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_CLASSES];
+    skylight_sh_4_bands_1_5pct_packed_real factors[SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_FACTORS];
     skylight_sh_4_bands_1_5pct_packed_real light = SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_EXPOSURE,
-        radius = 1;
-    skylight_sh_4_bands_1_5pct_packed_real early[SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_EARLY];
+        radius = 1, cosine, sine;
     int i, all, status = skylight_sh_4_bands_1_5pct_packed_inputs(inputs, azimuth, x);
     if (status == 2) {
         memset(weights, 0, sizeof(float) * SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_CHANNELS *
@@ -1487,26 +1724,21 @@ static inline int skylight_sh_4_bands_1_5pct_packed_evaluate(const
         bands = bands < 1 ? 1 : SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_BANDS;
         status = 1;
     }
-    /* First what the library computes: calls keep no registers. */
+    skylight_sh_4_bands_1_5pct_packed_circle((skylight_sh_4_bands_1_5pct_packed_real)azimuth,
+        &cosine, &sine);
     radius = skylight_sh_4_bands_1_5pct_packed_sine(x);
-    skylight_sh_4_bands_1_5pct_packed_waves((skylight_sh_4_bands_1_5pct_packed_real)azimuth, radius,
-        cosines, sines);
+    skylight_sh_4_bands_1_5pct_packed_waves(cosine, sine, radius, cosines, sines);
     skylight_sh_4_bands_1_5pct_packed_first(x, first);
     skylight_sh_4_bands_1_5pct_packed_others(x, others);
-    skylight_sh_4_bands_1_5pct_packed_begin_factors(x, early);
+    skylight_sh_4_bands_1_5pct_packed_factors(x, factors);
+    for (i = 0; i < SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_FACTORS; ++i) factors[i] *= light;
     all = bands;
     if (!rows) skylight_sh_4_bands_1_5pct_packed_sum_stream(first, others, all, sums);
-    if (rows)
-        skylight_sh_4_bands_1_5pct_packed_sum_class(rows, 0, first, others, all, sums[0]);
-    /* Between sums: what has begun above waits for itself, and there is more to do meanwhile. */
-    skylight_sh_4_bands_1_5pct_packed_end_factors(x, early, factors);
-    for (i = 0; i < SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_CHANNELS *
-        SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_CLASSES; ++i) factors[i] *= light;
     if (rows)
     {
 #define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_CLASS(k) \
     skylight_sh_4_bands_1_5pct_packed_sum_class(rows, k, first, others, all, sums[k]);
-        SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_OTHER_CLASSES(SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_CLASS)
+        SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_ALL_CLASSES(SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_CLASS)
 #undef SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_CLASS
     }
     skylight_sh_4_bands_1_5pct_packed_store(sums, factors, cosines, sines, all, weights);
@@ -1539,6 +1771,10 @@ static inline int skylight_sh_4_bands_1_5pct_packed_evaluate_one(const
                                 SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_BANDS, weights);
 }
 
+/* Numbers of one sun's weights. */
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_NUMBERS (SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_CHANNELS * \
+    SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_WEIGHTS)
+
 /* Evaluates `count` suns from arrays, one an axis, and one of azimuths (or none, where the table
    fixes it); returns the largest status. */
 static inline int skylight_sh_4_bands_1_5pct_packed_evaluate_batch(
@@ -1548,8 +1784,8 @@ static inline int skylight_sh_4_bands_1_5pct_packed_evaluate_batch(
         (*weights)[SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_CHANNELS]
         [SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_WEIGHTS])
 {
-    int s, status, worst = 0;
-    for (s = 0; s < count; ++s) {
+    int s = 0, status, worst = 0;
+    for (; s < count; ++s) {
         status = skylight_sh_4_bands_1_5pct_packed_evaluate_one(rows, inputs, azimuths, s,
             weights[s]);
         worst = status > worst ? status : worst;
@@ -1578,8 +1814,7 @@ static inline int skylight_sh_4_bands_1_5pct_packed_evaluate_columns(const
                 some[k]);
             worst = status > worst ? status : worst;
         }
-        for (i = 0; i < SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_CHANNELS *
-            SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_WEIGHTS; ++i)
+        for (i = 0; i < SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_NUMBERS; ++i)
             for (k = 0; k < now; ++k)
                 weights[(size_t)i * step + (size_t)(s + k)] =
                     some[k][i / SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_WEIGHTS][i %
@@ -1631,7 +1866,7 @@ static inline double skylight_sh_4_bands_1_5pct_packed_mixed_double(double
     double sum = 0.0;
     int k;
     for (k = 0; k < SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_CLASSES; ++k)
-        sum += factors[channel * SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_CLASSES + k] * sums[k][column];
+        sum += factors[SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_FACTOR(channel, k)] * sums[k][column];
     return sum;
 }
 
@@ -1660,7 +1895,7 @@ static inline int skylight_sh_4_bands_1_5pct_packed_evaluate_gradient(
     double powers[SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_BANDS],
         power_slopes[SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_BANDS];
     skylight_sh_4_bands_1_5pct_packed_real cosines[SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_BANDS],
-        sines[SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_BANDS];
+        sines[SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_BANDS], of_x, of_y;
     int axis, channel, i, l, m, sunk = 0;
     const int status =
         skylight_sh_4_bands_1_5pct_packed_evaluate(rows, inputs, azimuth,
@@ -1693,8 +1928,9 @@ static inline int skylight_sh_4_bands_1_5pct_packed_evaluate_gradient(
             power_slopes[m] = (double)m * powers[m - 1] * sine[1];
         }
     }
-    skylight_sh_4_bands_1_5pct_packed_waves((skylight_sh_4_bands_1_5pct_packed_real)azimuth, 1,
-        cosines, sines);
+    skylight_sh_4_bands_1_5pct_packed_circle((skylight_sh_4_bands_1_5pct_packed_real)azimuth, &of_x,
+        &of_y);
+    skylight_sh_4_bands_1_5pct_packed_waves(of_x, of_y, 1, cosines, sines);
     skylight_sh_4_bands_1_5pct_packed_sum_double(rows, functions, sums);
     for (axis = 0; axis < SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_AXES; ++axis) {
         double kept[SKYLIGHT_SH_4_BANDS_1_5PCT_PACKED_MOST];

@@ -31,7 +31,7 @@
  *   Define SKYLIGHT_SH_4_BANDS_1_5PCT_EXPOSURE before this file (where it holds the table) to
  *   multiply all weights (1 by default).
  *
- * Accuracy, as shipped: E_mean 1.45 %, E_max 4.08 % of the least luminance of the same sky, at
+ * Accuracy, as shipped: E_mean 1.45 %, E_max 3.9 % of the least luminance of the same sky, at
  * azimuth 0.
  * The expansion rings: the least value it takes, over all directions and measured sets, is -12.5 %
  * of its largest in the same set; the window below tames it.
@@ -61,7 +61,7 @@ SKYLIGHT_SH_4_BANDS_1_5PCT_IMPLEMENTATION beside it in one."
 #endif
 
 #ifndef SKYLIGHT_SH_4_BANDS_1_5PCT_H
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_H 0xa138fdfa
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_H 0xe95d7097
 
 #include <math.h>
 #include <stdint.h>
@@ -87,8 +87,8 @@ SKYLIGHT_SH_4_BANDS_1_5PCT_IMPLEMENTATION beside it in one."
 #define SKYLIGHT_SH_4_BANDS_1_5PCT_CHANNELS 3
 #define SKYLIGHT_SH_4_BANDS_1_5PCT_AXES 2
 #define SKYLIGHT_SH_4_BANDS_1_5PCT_UNIT "cd/m2"
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_E_MEAN 1.453000e-02
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_E_MAX 4.085000e-02
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_E_MEAN 1.452000e-02
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_E_MAX 3.901000e-02
 #define SKYLIGHT_SH_4_BANDS_1_5PCT_SUN_ZENITH_MIN 0.0f
 #define SKYLIGHT_SH_4_BANDS_1_5PCT_SUN_ZENITH_MAX 1.57079637f
 #define SKYLIGHT_SH_4_BANDS_1_5PCT_TURBIDITY_MIN 2.5f
@@ -133,7 +133,7 @@ SKYLIGHT_SH_4_BANDS_1_5PCT_API void skylight_sh_4_bands_1_5pct_ground(const floa
 SKYLIGHT_SH_4_BANDS_1_5PCT_API void skylight_sh_4_bands_1_5pct_window(int bands,
     float weights[SKYLIGHT_SH_4_BANDS_1_5PCT_CHANNELS][SKYLIGHT_SH_4_BANDS_1_5PCT_WEIGHTS]);
 
-#elif SKYLIGHT_SH_4_BANDS_1_5PCT_H != 0xa138fdfa
+#elif SKYLIGHT_SH_4_BANDS_1_5PCT_H != 0xe95d7097
 #error "Another table has the prefix skylight_sh_4_bands_1_5pct_4_bands_1_5pct already: export one \
 of them under a prefix of its own."
 #endif /* SKYLIGHT_SH_4_BANDS_1_5PCT_H */
@@ -142,6 +142,132 @@ of them under a prefix of its own."
     defined(SKYLIGHT_SH_4_BANDS_1_5PCT_IMPLEMENTATION)) && \
     !defined(SKYLIGHT_SH_4_BANDS_1_5PCT_DEFINED)
 #define SKYLIGHT_SH_4_BANDS_1_5PCT_DEFINED
+
+/* Numbers side by side where the compiler has vector types: as many as the processor's registers
+   hold, and four. */
+#if defined(__GNUC__) && (defined(__SSE__) || defined(__ARM_NEON) || defined(__ALTIVEC__) || \
+                          defined(__wasm_simd128__) || defined(__loongarch_sx))
+#if defined(__AVX512F__)
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_LANES 16
+#elif defined(__AVX__)
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_LANES 8
+#else
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_LANES 4
+#endif
+#endif
+/* What is worth its place in every caller; what lies at the start of a cache line. */
+#ifdef __GNUC__
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_INLINE static inline __attribute__((always_inline))
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_ALIGNED __attribute__((aligned(64)))
+#else
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_INLINE static inline
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_ALIGNED
+#endif
+#ifdef SKYLIGHT_SH_4_BANDS_1_5PCT_LANES
+#ifdef __FMA__
+/* One operation for a product and a sum, which standard C may not choose by itself. */
+#include <immintrin.h>
+#endif
+typedef float skylight_sh_4_bands_1_5pct_lanes __attribute__((vector_size(4 *
+    SKYLIGHT_SH_4_BANDS_1_5PCT_LANES)));
+typedef float skylight_sh_4_bands_1_5pct_four __attribute__((vector_size(16)));
+typedef int skylight_sh_4_bands_1_5pct_order __attribute__((vector_size(16)));
+
+/* The same number in all places: v - 0 is v, which 0 + v need not be. */
+static inline skylight_sh_4_bands_1_5pct_lanes skylight_sh_4_bands_1_5pct_spread(float v)
+{
+    const skylight_sh_4_bands_1_5pct_lanes zeros = {0};
+    return v - zeros;
+}
+
+static inline skylight_sh_4_bands_1_5pct_lanes skylight_sh_4_bands_1_5pct_load(const float *from)
+{
+    skylight_sh_4_bands_1_5pct_lanes v;
+    memcpy(&v, from, sizeof v);
+    return v;
+}
+
+/* a * b + c. */
+static inline skylight_sh_4_bands_1_5pct_lanes
+    skylight_sh_4_bands_1_5pct_add(skylight_sh_4_bands_1_5pct_lanes a,
+    skylight_sh_4_bands_1_5pct_lanes b,
+                                                skylight_sh_4_bands_1_5pct_lanes c)
+{
+#if defined(__FMA__) && SKYLIGHT_SH_4_BANDS_1_5PCT_LANES == 16
+    return _mm512_fmadd_ps(a, b, c);
+#elif defined(__FMA__) && SKYLIGHT_SH_4_BANDS_1_5PCT_LANES == 8
+    return _mm256_fmadd_ps(a, b, c);
+#else
+    return a * b + c;
+#endif
+}
+
+static inline skylight_sh_4_bands_1_5pct_four skylight_sh_4_bands_1_5pct_spread_four(float v)
+{
+    const skylight_sh_4_bands_1_5pct_four zeros = {0};
+    return v - zeros;
+}
+
+static inline skylight_sh_4_bands_1_5pct_four skylight_sh_4_bands_1_5pct_load_four(const float
+    *from)
+{
+    skylight_sh_4_bands_1_5pct_four v;
+    memcpy(&v, from, sizeof v);
+    return v;
+}
+
+static inline skylight_sh_4_bands_1_5pct_four
+    skylight_sh_4_bands_1_5pct_add_four(skylight_sh_4_bands_1_5pct_four a,
+    skylight_sh_4_bands_1_5pct_four b,
+                                                    skylight_sh_4_bands_1_5pct_four c)
+{
+#ifdef __FMA__
+    return _mm_fmadd_ps(a, b, c);
+#else
+    return a * b + c;
+#endif
+}
+
+/* Numbers side by side; where there are fewer than four, the last again. */
+static inline skylight_sh_4_bands_1_5pct_four skylight_sh_4_bands_1_5pct_quadruple(float a, float b,
+    float c, float d)
+{
+    const skylight_sh_4_bands_1_5pct_four v = {a, b, c, d};
+    return v;
+}
+
+static inline skylight_sh_4_bands_1_5pct_four skylight_sh_4_bands_1_5pct_triple(float a, float b,
+    float c)
+{
+    return skylight_sh_4_bands_1_5pct_quadruple(a, b, c, c);
+}
+
+static inline skylight_sh_4_bands_1_5pct_four skylight_sh_4_bands_1_5pct_pair(float a, float b)
+{
+    return skylight_sh_4_bands_1_5pct_quadruple(a, b, b, b);
+}
+
+static inline void skylight_sh_4_bands_1_5pct_keep(float *to, skylight_sh_4_bands_1_5pct_four v)
+{
+    memcpy(to, &v, sizeof v);
+}
+
+/* Four of the eight numbers of two vectors. */
+#ifdef __clang__
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PICK(v, w, a, b, c, d) __builtin_shufflevector(v, w, a, b, c, d)
+#else
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_PICK(v, w, a, b, c, d) skylight_sh_4_bands_1_5pct_pick(v, w, a, \
+    b, c, d)
+static inline skylight_sh_4_bands_1_5pct_four
+    skylight_sh_4_bands_1_5pct_pick(skylight_sh_4_bands_1_5pct_four v,
+    skylight_sh_4_bands_1_5pct_four w, int a,
+                                                int b, int c, int d)
+{
+    const skylight_sh_4_bands_1_5pct_order order = {a, b, c, d};
+    return __builtin_shuffle(v, w, order);
+}
+#endif
+#endif
 
 typedef float skylight_sh_4_bands_1_5pct_real;
 
@@ -172,8 +298,11 @@ static const skylight_sh_4_bands_1_5pct_real
 /* Classes; a row's numbers, one a sum, and those of the first 1, 2, ..
    bands; room for a class's sums. */
 #define SKYLIGHT_SH_4_BANDS_1_5PCT_CLASSES 3
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_OTHER_CLASSES(CLASS) CLASS(1) CLASS(2)
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_FACTORS 9
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_ALL_CLASSES(CLASS) CLASS(0) CLASS(1) CLASS(2)
+/* What multiplies the sum of a class for a channel; the channels side by
+   side, in fours. */
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_FACTORS 12
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_FACTOR(channel, class_) ((class_) * 4 + (channel))
 #define SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH 10
 #define SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTHS { 1, 3, 6, 10 }
 #define SKYLIGHT_SH_4_BANDS_1_5PCT_ROOM 16
@@ -209,6 +338,11 @@ static const skylight_sh_4_bands_1_5pct_real
     CLASS(1, NOTHING POLYNOMIAL(12, 3, 0) POLYNOMIAL(15, 3, 1) POLYNOMIAL(18, 1, 2)) \
     CLASS(2, NOTHING POLYNOMIAL(19, 4, 0) POLYNOMIAL(23, 3, 1) POLYNOMIAL(26, 1, 2) POLYNOMIAL(27, \
         1, 3))
+/* Of each class the longest polynomial's rows, and how many those of the
+   classes before have. */
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_LONGEST { 4, 3, 4 }
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_BEFORE { 0, 4, 7 }
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_SHARED 11
 /* Where sums go: of each degree, the first column, or -1 where it carries
    nothing. */
 #define SKYLIGHT_SH_4_BANDS_1_5PCT_COLUMNS { 0, 1, 3, 6 }
@@ -223,134 +357,192 @@ static const skylight_sh_4_bands_1_5pct_real
 
 /* Of each class, a row a term (functions of the other axes, then of the
    first): its number for every sum. */
+SKYLIGHT_SH_4_BANDS_1_5PCT_ALIGNED
 static const skylight_sh_4_bands_1_5pct_real skylight_sh_4_bands_1_5pct_rows[286] = {
-    2.71036887f, 2.21448374f, 1.31027937f, -0.310139179f, 1.19046283f, 0.829240799f, -1.20676076f,
-    0.110528708f, 0.796098113f, 0.464569449f, -0.214407682f, -0.536228776f, -0.262592554f,
-    -0.661141038f, -0.695368886f, -0.125739813f, -0.250524163f, -0.864032984f, -0.482918859f,
-    -0.063446641f, -0.12364006f, 0.0491325855f, -0.143055916f, 0.406592131f, 0.0468857288f,
-    -0.107987404f, 0.543285131f, 0.474843264f, 0.0244641304f, -0.0768451691f, -0.0109963417f,
-    0.0244078636f, -0.0203537941f, 0.000539779663f, 0.0382456779f, -0.026260376f, -0.18768692f,
-    0.00107431412f, 0.0365800858f, -0.0291938782f, 0.593055725f, 0.680009007f, 0.252006173f,
-    0.301952958f, 0.294134378f, 0.0665383339f, -0.0717055798f, 0.142194271f, 0.116286755f,
-    0.0439218283f, -0.177490115f, -0.225158453f, -0.122981787f, -0.145694375f, -0.197974324f,
-    -0.0891722441f, -0.0388871431f, -0.192261934f, -0.143307209f, -0.0565336943f, 0.0151786804f,
-    0.0531821251f, 0.0173301697f, 0.106891394f, 0.0736715794f, 0.0145332813f, 0.13567543f,
-    0.150677204f, 0.0575268269f, 0.0112535954f, 0.0108809471f, -0.00162506104f, 0.0139164925f,
-    -0.0417928696f, -0.00300312042f, 0.009349823f, -0.0869398117f, -0.0513439178f, -0.00461387634f,
-    0.00792884827f, -0.127428055f, -0.120130062f, -0.0677673817f, 0.000617265701f, -0.0817391872f,
-    -0.0746092796f, 0.0909204483f, -0.037050724f, -0.0834977627f, -0.039137125f, 0.0114605427f,
-    0.0287168026f, 0.0481178761f, 0.0414230824f, 0.0776572227f, 0.0268476009f, 0.0313272476f,
-    0.0744533539f, 0.0535879135f, 0.0213644505f, 0.00954532623f, -0.00500106812f, 0.00732660294f,
-    -0.0353069305f, -0.00939512253f, 0.00465011597f, -0.0517258644f, -0.0369167328f, -0.0112719536f,
-    0.00246143341f, 0.0282177925f, 0.0100641251f, 0.0185689926f, -0.0303888321f, 0.01040411f,
-    0.00802326202f, -0.0324378014f, -0.011039257f, 0.00550603867f, 0.00511407852f, 0.0057259798f,
-    -0.00378262997f, 0.0448281765f, -0.0110957623f, 0.0348397493f, 0.0256174803f, 0.00284790993f,
-    -0.0011600256f, 0.0178817511f, 0.00795948505f, -0.00406014919f, -0.0168597698f, -0.00898265839f,
-    -0.0261495113f, -0.0207589865f, -0.00134706497f, -0.015147686f, -0.0229728222f, -0.00734877586f,
-    0.000554800034f, -0.00250959396f, 0.00432038307f, -0.00164031982f, 0.0141599178f,
-    0.00359630585f, -0.000581979752f, 0.0132892132f, 0.00806927681f, 0.00249505043f,
-    7.65323639e-05f, -0.00443089008f, -0.0160171986f, 0.0257219076f, -0.022003293f, 0.0215574503f,
-    0.0250566006f, -0.00752985477f, 0.000386834145f, 0.0205187798f, 0.0119540691f, 0.00132811069f,
-    -0.00744783878f, -0.00420951843f, -0.017332077f, -0.0136271715f, 0.00109302998f, -0.0123172998f,
-    -0.0192130804f, -0.00552904606f, 0.0016617775f, -0.00307059288f, 0.00224781036f,
-    -0.00622820854f, 0.0111281872f, -0.00182723999f, -0.00485825539f, 0.0112235546f, 0.00799489021f,
-    -0.00144720078f, -0.00392436981f, -0.00169324875f, -0.00593495369f, 0.00533342361f,
-    -0.00913333893f, 0.00368070602f, 0.00703024864f, -0.00556588173f, -0.00200152397f,
-    0.00606966019f, 0.00345468521f, 0.281488419f, 0.345803022f, -0.00585639477f, 0.182788372f,
-    0.0413312912f, -0.0399206877f, -0.0215264559f, 0.0840568542f, -0.0133179426f, -0.0409493446f,
-    -0.070256114f, -0.0637993813f, -0.0653244257f, -0.0171017647f, -0.0455733538f, -0.0384428501f,
-    -0.0136059523f, 0.00560724735f, -0.0103006363f, -0.0254266262f, 0.0214195251f, 0.0255019665f,
-    0.0256810188f, 0.0151553154f, 0.0290503502f, 0.0186753273f, 0.00784039497f, 0.0062892437f,
-    0.0227911472f, 0.0123000145f, 0.0117588043f, -0.000473499298f, 0.0181179047f, -0.0187540054f,
-    -0.00171661377f, 0.0175795555f, -0.0112981796f, -0.0248003006f, -0.00274276733f, 0.0166392326f,
-    0.0339305401f, 0.0700016022f, 0.00461685658f, 0.0898149014f, 0.0128002167f, -0.00179851055f,
-    0.0649954081f, 0.0226230621f, -0.0042566061f, -0.00537395477f, -0.0171990395f, -0.0272532701f,
-    -0.00518262386f, -0.0264713764f, -0.0101498365f, 0.00316274166f, -0.0174312592f, -0.0116474628f,
-    0.00309538841f, 0.00522732735f, 0.00944280624f, 0.0118918419f, 0.00717830658f, 0.00811243057f,
-    0.00657272339f, 0.00423526764f, 0.00430583954f, -0.000423431396f, 0.00261759758f,
-    0.00202393532f, -0.0304598808f, -0.0380885601f, 0.00385689735f, -0.0181879997f,
-    -0.000399589539f, 0.00709152222f, 0.0103538036f, -0.00616955757f, 0.00303244591f,
-    0.00461673737f, 0.00375318527f, 0.00166702271f, 0.000535488129f, -0.00467634201f,
-    0.000748157501f, 0.000751972198f, -0.00795555115f, -0.000540733337f, 0.00102519989f,
-    0.000305175781f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f
+    2.71027565f, 2.21431541f, 1.3101542f, -0.310353875f, 1.19035113f, 0.82897675f, -1.20665753f,
+    0.110543966f, 0.795776129f, 0.464280725f, -0.21449697f, -0.536054254f, -0.262117505f,
+    -0.660603404f, -0.694840193f, -0.125121832f, -0.250356436f, -0.864233255f, -0.481899142f,
+    -0.0632278919f, -0.123564243f, 0.0490403175f, -0.142481565f, 0.406107664f, 0.0475056171f,
+    -0.106806517f, 0.543030977f, 0.474517584f, 0.0256564617f, -0.0752701759f, -0.0108585358f,
+    0.0244140625f, -0.021173954f, 0.000409603119f, 0.0373177528f, -0.0277781487f, -0.187709332f,
+    0.0014834404f, 0.0347166061f, -0.0306835175f, 0.593714476f, 0.680504203f, 0.252077222f,
+    0.301892757f, 0.294401407f, 0.0660792589f, -0.0715651512f, 0.143012881f, 0.115610957f,
+    0.043492198f, -0.177437663f, -0.225184679f, -0.121880174f, -0.14556396f, -0.197321296f,
+    -0.0881333351f, -0.038797617f, -0.193385363f, -0.142122984f, -0.0560034513f, 0.0148458481f,
+    0.0529756546f, 0.0171406269f, 0.106865406f, 0.0737645626f, 0.0155847073f, 0.135674238f,
+    0.151047945f, 0.0587322712f, 0.0125775337f, 0.0110077858f, -0.00142526627f, 0.0129537582f,
+    -0.0417695045f, -0.00365400314f, 0.00737571716f, -0.0868191719f, -0.0506830215f,
+    -0.00659704208f, 0.00621604919f, -0.126965046f, -0.119710684f, -0.067535162f, 0.000747442245f,
+    -0.0816335678f, -0.0744793415f, 0.0906209946f, -0.0367667675f, -0.0836379528f, -0.0390379429f,
+    0.0115132332f, 0.0286576748f, 0.0484945774f, 0.0412628651f, 0.0780549049f, 0.0269300938f,
+    0.0314188004f, 0.0742580891f, 0.0538122654f, 0.0215115547f, 0.00922584534f, -0.0050444603f,
+    0.00665616989f, -0.0348873138f, -0.00991678238f, 0.00433683395f, -0.0513858795f, -0.0366568565f,
+    -0.0115184784f, 0.0021109581f, 0.0278449059f, 0.0096783638f, 0.0185542107f, -0.0306119919f,
+    0.0100703239f, 0.00830411911f, -0.0327048302f, -0.0117745399f, 0.00572967529f, 0.00534486771f,
+    0.00579047203f, -0.00364565849f, 0.0448544025f, -0.0109009743f, 0.0349655151f, 0.0255434513f,
+    0.00288486481f, -0.000952959061f, 0.0178663731f, 0.00790452957f, -0.00400197506f,
+    -0.0168632269f, -0.00916481018f, -0.0262861252f, -0.0210061073f, -0.00152659416f,
+    -0.0151520967f, -0.0230407715f, -0.00774610043f, 0.000491261482f, -0.00243210793f,
+    0.00437068939f, -0.00144410133f, 0.0141789913f, 0.00380301476f, -0.000388145447f, 0.0133683681f,
+    0.00812864304f, 0.00283789635f, 0.000124692917f, -0.0045311451f, -0.0160192251f, 0.0257198811f,
+    -0.0218381882f, 0.0216491222f, 0.0250484943f, -0.00746130943f, 0.000380754471f, 0.020673275f,
+    0.0119297504f, 0.0013730526f, -0.00741922855f, -0.00439941883f, -0.0173791647f, -0.0136802197f,
+    0.000989794731f, -0.0122218132f, -0.018728137f, -0.00572383404f, 0.00174021721f, -0.0029091835f,
+    0.00226283073f, -0.00596022606f, 0.0108942986f, -0.00181174278f, -0.00473380089f, 0.0111610889f,
+    0.00744080544f, -0.00138235092f, -0.00399208069f, -0.00188374519f, -0.00616645813f,
+    0.00532770157f, -0.00933694839f, 0.00361442566f, 0.00712537766f, -0.00556373596f,
+    -0.00230503082f, 0.00622296333f, 0.00353860855f, 0.281542182f, 0.345899224f, -0.00585627556f,
+    0.182931185f, 0.041331768f, -0.0398471355f, -0.0214676857f, 0.0840587616f, -0.013273716f,
+    -0.0408514738f, -0.070256114f, -0.0638705492f, -0.0655825138f, -0.0172132254f, -0.0458267927f,
+    -0.0386655331f, -0.0135302544f, 0.00564718246f, -0.0106730461f, -0.0254845619f, 0.0214450359f,
+    0.0255072117f, 0.0259149075f, 0.0151913166f, 0.0295174122f, 0.0185306072f, 0.00791287422f,
+    0.0068230629f, 0.0230929852f, 0.0118350983f, 0.0118761063f, -0.00035905838f, 0.0181488991f,
+    -0.0188384056f, -0.00185251236f, 0.0177788734f, -0.01151371f, -0.0250797272f, -0.00283002853f,
+    0.0169634819f, 0.0337635279f, 0.0699349642f, 0.00460958481f, 0.0899803638f, 0.0128724575f,
+    -0.00166833401f, 0.0652605295f, 0.0224916935f, -0.00399053097f, -0.00529289246f, -0.017134428f,
+    -0.0272381306f, -0.00560951233f, -0.0265549421f, -0.0103858709f, 0.00287103653f, -0.01727283f,
+    -0.0111442804f, 0.00273025036f, 0.00522339344f, 0.00953030586f, 0.0118775368f, 0.00766992569f,
+    0.00788736343f, 0.00682711601f, 0.00441336632f, 0.00396442413f, -0.000817537308f,
+    0.00275039673f, 0.00190544128f, -0.0306310654f, -0.0382487774f, 0.00394010544f, -0.0182788372f,
+    -0.000323534012f, 0.00713133812f, 0.0103294849f, -0.00631332397f, 0.0031337738f, 0.00463104248f,
+    0.00386571884f, 0.00175333023f, 0.000585079193f, -0.00467681885f, 0.000790119171f,
+    0.000663757324f, -0.00807905197f, -0.000386714935f, 0.000926494598f, 0.000235557556f, 0.0f,
+    0.0f, 0.0f, 0.0f, 0.0f, 0.0f
 };
 
 /* What all weights share: the closed form preetham_classes. */
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_EARLY 16
-
-static inline void skylight_sh_4_bands_1_5pct_begin_factors(const skylight_sh_4_bands_1_5pct_real
-    *x, skylight_sh_4_bands_1_5pct_real *early)
+#ifdef SKYLIGHT_SH_4_BANDS_1_5PCT_LANES
+/* Equal formulas of different numbers side by side. */
+static inline void skylight_sh_4_bands_1_5pct_factors(const skylight_sh_4_bands_1_5pct_real *x,
+    skylight_sh_4_bands_1_5pct_real *out)
 {
     const float chi = (0.888888896f - x[1] * 0.0166666675f) * (1.57079637f - x[0]);
     const float square = chi * chi;
-    early[0] = 945.0f - square * (420.0f - 15.0f * square);
-    early[1] = (4045.30005f * x[1] - 4971.0f) * (chi * (945.0f - square * (105.0f - square))) +
-        (2419.19995f - 215.5f * x[1]) * early[0];
+    const float below = 945.0f - square * (420.0f - 15.0f * square);
+    const float zenith = (4045.30005f * x[1] - 4971.0f) * (chi * (945.0f - square * (105.0f -
+        square))) + (2419.19995f - 215.5f * x[1]) * below;
     const float part_1 = (-0.355399996f) * x[1] + 0.42750001f;
     const float up = 1.0f + part_1 * (0.25f + part_1 * 0.03125f);
     const float up2 = up * up;
-    early[2] = 1.0f + (0.1787f * x[1] + (-1.46300006f)) * (up2 * up2);
-    early[3] = (-0.0227000006f) * x[1] + 5.32509995f;
-    const float y = (0.1206f * x[1] + (-2.57710004f)) * x[0] * 0.25f;
-    const float halo = 1.0f + y * (0.99999845f + y * (0.499975085f + y * (0.166515172f + y *
-        (0.0412233174f + y * (0.00765432511f + y * 0.000849007862f)))));
-    early[4] = halo * halo;
+    const skylight_sh_4_bands_1_5pct_four y = (skylight_sh_4_bands_1_5pct_triple(0.1206f,
+        (-0.0640999973f), (-0.0441000015f)) * x[1] +
+        skylight_sh_4_bands_1_5pct_triple((-2.57710004f), (-0.898899972f),
+        (-1.65369999f))) * x[0] * 0.25f;
+    const skylight_sh_4_bands_1_5pct_four y2 = y * y;
+    const skylight_sh_4_bands_1_5pct_four halo = 1.0f + 0.99999845f * y + y2 * (0.499975085f +
+        0.166515172f * y + y2 * (0.0412233174f + 0.00765432511f * y + y2 * 0.000849007862f));
+    const skylight_sh_4_bands_1_5pct_four halo2 = halo * halo;
+    const skylight_sh_4_bands_1_5pct_four halo4 = halo2 * halo2;
     const float z = x[0] * x[0];
     const float cosine = 1.0f - z * (0.5f - z * 0.03125f);
     const float cosine2 = cosine * cosine;
-    early[5] = ((-0.0670000017f) * x[1] + 0.370299995f) * cosine2;
-    early[6] = ((((0.00274999999f * x[1] + (-0.0421399996f)) * x[1] + 0.153459996f) * x[0] +
-        (((-0.00609999988f) * x[1] + 0.0896999985f) * x[1] + (-0.267560005f))) * x[0] +
+    const skylight_sh_4_bands_1_5pct_four part_2 = 1.0f +
+        (skylight_sh_4_bands_1_5pct_triple((-0.0227000006f), (-0.00039999999f),
+        (-0.00789999962f)) * x[1] + skylight_sh_4_bands_1_5pct_triple(5.32509995f, 0.212500006f,
+        0.210199997f)) * halo4 + (skylight_sh_4_bands_1_5pct_triple((-0.0670000017f),
+        (-0.00329999998f), (-0.0109000001f)) * x[1] +
+        skylight_sh_4_bands_1_5pct_triple(0.370299995f, 0.0452000014f, 0.0529000014f)) * cosine2;
+    const float shape_y = (1.0f + (0.1787f * x[1] + (-1.46300006f)) * (up2 * up2)) * part_2[0];
+    const skylight_sh_4_bands_1_5pct_four y_zenith =
+        ((((skylight_sh_4_bands_1_5pct_pair(0.00274999999f,
+        0.00165999995f) * x[1] + skylight_sh_4_bands_1_5pct_pair((-0.0421399996f),
+        (-0.0290300008f))) * x[1] + skylight_sh_4_bands_1_5pct_pair(0.153459996f,
+        0.11693f)) * x[0] + ((skylight_sh_4_bands_1_5pct_pair((-0.00609999988f),
+        (-0.00374999992f)) * x[1] + skylight_sh_4_bands_1_5pct_pair(0.0896999985f,
+        0.0637700036f)) * x[1] + skylight_sh_4_bands_1_5pct_pair((-0.267560005f),
+        (-0.211960003f)))) * x[0] + ((skylight_sh_4_bands_1_5pct_pair(0.00316999992f,
+        0.00209000008f) * x[1] + skylight_sh_4_bands_1_5pct_pair((-0.0415299982f),
+        (-0.0320199989f))) * x[1] + skylight_sh_4_bands_1_5pct_pair(0.0666999966f,
+        0.0605200008f))) * x[0] + (skylight_sh_4_bands_1_5pct_pair(0.00516000018f,
+        0.0039400002f) * x[1] + skylight_sh_4_bands_1_5pct_pair(0.266880006f, 0.258859992f));
+    const float part_3 = y_zenith[0];
+    const float shape_x = (0.00249999994f * x[1] + 0.733200014f) * part_2[1];
+    const float one = zenith / (below * shape_y * part_3 * shape_x);
+    const float shape_z = (0.00992999971f * x[1] + 0.734399974f) * part_2[2];
+    const float of_x = one * y_zenith[1] * shape_z;
+    const skylight_sh_4_bands_1_5pct_four part_4 = skylight_sh_4_bands_1_5pct_triple(3.73898554f,
+        (-1.01082206f), (-1.00158179f)) * of_x;
+    skylight_sh_4_bands_1_5pct_keep(out + 4, part_4);
+    const float of_y = one * part_3 * shape_x;
+    const float of_s = one * shape_z * shape_x;
+    const skylight_sh_4_bands_1_5pct_four part_5 =
+        skylight_sh_4_bands_1_5pct_triple((-0.498531401f), 0.0415560007f, 1.05722523f) * of_s;
+    skylight_sh_4_bands_1_5pct_keep(out + 8, part_5);
+    const skylight_sh_4_bands_1_5pct_four part_6 = part_4 +
+        skylight_sh_4_bands_1_5pct_triple((-1.03860712f), 1.83445477f,
+        (-1.26125109f)) * of_y + part_5;
+    skylight_sh_4_bands_1_5pct_keep(out + 0, part_6);
+    (void)x;
+}
+
+#else
+static inline void skylight_sh_4_bands_1_5pct_factors(const skylight_sh_4_bands_1_5pct_real *x,
+    skylight_sh_4_bands_1_5pct_real *out)
+{
+    const float chi = (0.888888896f - x[1] * 0.0166666675f) * (1.57079637f - x[0]);
+    const float square = chi * chi;
+    const float below = 945.0f - square * (420.0f - 15.0f * square);
+    const float zenith = (4045.30005f * x[1] - 4971.0f) * (chi * (945.0f - square * (105.0f -
+        square))) + (2419.19995f - 215.5f * x[1]) * below;
+    const float part_1 = (-0.355399996f) * x[1] + 0.42750001f;
+    const float up = 1.0f + part_1 * (0.25f + part_1 * 0.03125f);
+    const float up2 = up * up;
+    const float y = (0.1206f * x[1] + (-2.57710004f)) * x[0] * 0.25f;
+    const float y2 = y * y;
+    const float halo = 1.0f + 0.99999845f * y + y2 * (0.499975085f + 0.166515172f * y + y2 *
+        (0.0412233174f + 0.00765432511f * y + y2 * 0.000849007862f));
+    const float halo2 = halo * halo;
+    const float halo4 = halo2 * halo2;
+    const float z = x[0] * x[0];
+    const float cosine = 1.0f - z * (0.5f - z * 0.03125f);
+    const float cosine2 = cosine * cosine;
+    const float shape_y = (1.0f + (0.1787f * x[1] + (-1.46300006f)) * (up2 * up2)) * (1.0f +
+        ((-0.0227000006f) * x[1] + 5.32509995f) * halo4 + ((-0.0670000017f) * x[1] + 0.370299995f) *
+        cosine2);
+    const float y_zenith = ((((0.00274999999f * x[1] + (-0.0421399996f)) * x[1] + 0.153459996f) *
+        x[0] + (((-0.00609999988f) * x[1] + 0.0896999985f) * x[1] + (-0.267560005f))) * x[0] +
         ((0.00316999992f * x[1] + (-0.0415299982f)) * x[1] + 0.0666999966f)) * x[0] +
         (0.00516000018f * x[1] + 0.266880006f);
-    early[7] = 0.00249999994f * x[1] + 0.733200014f;
-    early[8] = (-0.00039999999f) * x[1] + 0.212500006f;
     const float y_2 = ((-0.0640999973f) * x[1] + (-0.898899972f)) * x[0] * 0.25f;
-    const float halo_2 = 1.0f + y_2 * (0.99999845f + y_2 * (0.499975085f + y_2 * (0.166515172f + y_2
-        * (0.0412233174f + y_2 * (0.00765432511f + y_2 * 0.000849007862f)))));
-    early[9] = halo_2 * halo_2;
-    early[10] = ((-0.00329999998f) * x[1] + 0.0452000014f) * cosine2;
-    early[11] = ((((0.00165999995f * x[1] + (-0.0290300008f)) * x[1] + 0.11693f) * x[0] +
+    const float y2_2 = y_2 * y_2;
+    const float halo_2 = 1.0f + 0.99999845f * y_2 + y2_2 * (0.499975085f + 0.166515172f * y_2 + y2_2
+        * (0.0412233174f + 0.00765432511f * y_2 + y2_2 * 0.000849007862f));
+    const float halo2_2 = halo_2 * halo_2;
+    const float halo4_2 = halo2_2 * halo2_2;
+    const float shape_x = (0.00249999994f * x[1] + 0.733200014f) * (1.0f + ((-0.00039999999f) * x[1]
+        + 0.212500006f) * halo4_2 + ((-0.00329999998f) * x[1] + 0.0452000014f) * cosine2);
+    const float one = zenith / (below * shape_y * y_zenith * shape_x);
+    const float x_zenith = ((((0.00165999995f * x[1] + (-0.0290300008f)) * x[1] + 0.11693f) * x[0] +
         (((-0.00374999992f) * x[1] + 0.0637700036f) * x[1] + (-0.211960003f))) * x[0] +
         ((0.00209000008f * x[1] + (-0.0320199989f)) * x[1] + 0.0605200008f)) * x[0] + (0.0039400002f
         * x[1] + 0.258859992f);
-    early[12] = 0.00992999971f * x[1] + 0.734399974f;
-    early[13] = (-0.00789999962f) * x[1] + 0.210199997f;
     const float y_3 = ((-0.0441000015f) * x[1] + (-1.65369999f)) * x[0] * 0.25f;
-    const float halo_3 = 1.0f + y_3 * (0.99999845f + y_3 * (0.499975085f + y_3 * (0.166515172f + y_3
-        * (0.0412233174f + y_3 * (0.00765432511f + y_3 * 0.000849007862f)))));
-    early[14] = halo_3 * halo_3;
-    early[15] = ((-0.0109000001f) * x[1] + 0.0529000014f) * cosine2;
+    const float y2_3 = y_3 * y_3;
+    const float halo_3 = 1.0f + 0.99999845f * y_3 + y2_3 * (0.499975085f + 0.166515172f * y_3 + y2_3
+        * (0.0412233174f + 0.00765432511f * y_3 + y2_3 * 0.000849007862f));
+    const float halo2_3 = halo_3 * halo_3;
+    const float halo4_3 = halo2_3 * halo2_3;
+    const float shape_z = (0.00992999971f * x[1] + 0.734399974f) * (1.0f + ((-0.00789999962f) * x[1]
+        + 0.210199997f) * halo4_3 + ((-0.0109000001f) * x[1] + 0.0529000014f) * cosine2);
+    const float of_x = one * x_zenith * shape_z;
+    out[4] = 3.73898554f * of_x;
+    const float of_y = one * y_zenith * shape_x;
+    const float of_s = one * shape_z * shape_x;
+    out[8] = (-0.498531401f) * of_s;
+    out[0] = out[4] + (-1.03860712f) * of_y + out[8];
+    out[5] = (-1.01082206f) * of_x;
+    out[9] = 0.0415560007f * of_s;
+    out[1] = out[5] + 1.83445477f * of_y + out[9];
+    out[6] = (-1.00158179f) * of_x;
+    out[10] = 1.05722523f * of_s;
+    out[2] = out[6] + (-1.26125109f) * of_y + out[10];
+    out[3] = 0.0f;
+    out[7] = 0.0f;
+    out[11] = 0.0f;
     (void)x;
-    (void)early;
 }
 
-/* The rest of it. */
-static inline void skylight_sh_4_bands_1_5pct_end_factors(const skylight_sh_4_bands_1_5pct_real *x,
-    const skylight_sh_4_bands_1_5pct_real *early, skylight_sh_4_bands_1_5pct_real *out)
-{
-    const float halo4 = early[4] * early[4];
-    const float shape_y = early[2] * (1.0f + early[3] * halo4 + early[5]);
-    const float halo4_2 = early[9] * early[9];
-    const float shape_x = early[7] * (1.0f + early[8] * halo4_2 + early[10]);
-    const float one = early[1] / (early[0] * shape_y * early[6] * shape_x);
-    const float halo4_3 = early[14] * early[14];
-    const float shape_z = early[12] * (1.0f + early[13] * halo4_3 + early[15]);
-    const float of_x = one * early[11] * shape_z;
-    out[1] = 3.73898554f * of_x;
-    const float of_y = one * early[6] * shape_x;
-    const float of_s = one * shape_z * shape_x;
-    out[2] = (-0.498531401f) * of_s;
-    out[0] = out[1] + (-1.03860712f) * of_y + out[2];
-    out[4] = (-1.01082206f) * of_x;
-    out[5] = 0.0415560007f * of_s;
-    out[3] = out[4] + 1.83445477f * of_y + out[5];
-    out[7] = (-1.00158179f) * of_x;
-    out[8] = 1.05722523f * of_s;
-    out[6] = out[7] + (-1.26125109f) * of_y + out[8];
-    (void)x;
-    (void)early;
-}
+#endif /* SKYLIGHT_SH_4_BANDS_1_5PCT_LANES */
 
 /* The functions of sun_zenith (change of variable: even); 0 where there is
    none. */
@@ -378,13 +570,13 @@ static inline void skylight_sh_4_bands_1_5pct_others(const skylight_sh_4_bands_1
 
 /* cos(m azimuth) and sin(m azimuth), m < bands, each times the m-th power
    of `radius`, by doubling. */
-static inline void skylight_sh_4_bands_1_5pct_waves(skylight_sh_4_bands_1_5pct_real azimuth,
-    skylight_sh_4_bands_1_5pct_real radius, skylight_sh_4_bands_1_5pct_real *cosines,
-    skylight_sh_4_bands_1_5pct_real *sines)
+static inline void skylight_sh_4_bands_1_5pct_waves(skylight_sh_4_bands_1_5pct_real cosine,
+    skylight_sh_4_bands_1_5pct_real sine, skylight_sh_4_bands_1_5pct_real radius,
+    skylight_sh_4_bands_1_5pct_real *cosines, skylight_sh_4_bands_1_5pct_real *sines)
 {
     cosines[0] = 1.0f;
-    cosines[1] = radius * cosf(azimuth);
-    sines[1] = radius * sinf(azimuth);
+    cosines[1] = radius * cosine;
+    sines[1] = radius * sine;
     cosines[2] = cosines[1] * cosines[1] - sines[1] * sines[1];
     sines[2] = sines[1] * cosines[1] + cosines[1] * sines[1];
     cosines[3] = cosines[1] * cosines[2] - sines[1] * sines[2];
@@ -402,6 +594,181 @@ static inline skylight_sh_4_bands_1_5pct_real skylight_sh_4_bands_1_5pct_sine(co
         ((-0.166666597f) + part_1 * (0.00833306555f + part_1 * ((-0.000198095426f) + part_1 *
         2.60563934e-06f))));
 }
+
+/* Cosine and sine of an angle of at most an eighth of a turn. */
+static inline void skylight_sh_4_bands_1_5pct_quarter(skylight_sh_4_bands_1_5pct_real angle,
+    skylight_sh_4_bands_1_5pct_real *out)
+{
+    const float part_1 = angle * angle;
+    out[0] = 1.0f - 0.5f * part_1 + part_1 * part_1 * (0.0416666456f + part_1 * ((-0.00138873665f) +
+        part_1 * 2.44383464e-05f));
+    out[1] = angle + angle * (part_1 * ((-0.166666552f) + part_1 * (0.0083321603f + part_1 *
+        (-0.00019515281f))));
+}
+
+#ifdef SKYLIGHT_SH_4_BANDS_1_5PCT_LANES
+/* The same for suns side by side. */
+static inline void skylight_sh_4_bands_1_5pct_factors_suns(const skylight_sh_4_bands_1_5pct_lanes
+    *x, skylight_sh_4_bands_1_5pct_lanes *out)
+{
+    const skylight_sh_4_bands_1_5pct_lanes chi = (0.888888896f - x[1] * 0.0166666675f) *
+        (1.57079637f - x[0]);
+    const skylight_sh_4_bands_1_5pct_lanes square = chi * chi;
+    const skylight_sh_4_bands_1_5pct_lanes below = 945.0f - square * (420.0f - 15.0f * square);
+    const skylight_sh_4_bands_1_5pct_lanes zenith = (4045.30005f * x[1] - 4971.0f) * (chi * (945.0f
+        - square * (105.0f - square))) + (2419.19995f - 215.5f * x[1]) * below;
+    const skylight_sh_4_bands_1_5pct_lanes part_1 = (-0.355399996f) * x[1] + 0.42750001f;
+    const skylight_sh_4_bands_1_5pct_lanes up = 1.0f + part_1 * (0.25f + part_1 * 0.03125f);
+    const skylight_sh_4_bands_1_5pct_lanes up2 = up * up;
+    const skylight_sh_4_bands_1_5pct_lanes y = (0.1206f * x[1] + (-2.57710004f)) * x[0] * 0.25f;
+    const skylight_sh_4_bands_1_5pct_lanes y2 = y * y;
+    const skylight_sh_4_bands_1_5pct_lanes halo = 1.0f + 0.99999845f * y + y2 * (0.499975085f +
+        0.166515172f * y + y2 * (0.0412233174f + 0.00765432511f * y + y2 * 0.000849007862f));
+    const skylight_sh_4_bands_1_5pct_lanes halo2 = halo * halo;
+    const skylight_sh_4_bands_1_5pct_lanes halo4 = halo2 * halo2;
+    const skylight_sh_4_bands_1_5pct_lanes z = x[0] * x[0];
+    const skylight_sh_4_bands_1_5pct_lanes cosine = 1.0f - z * (0.5f - z * 0.03125f);
+    const skylight_sh_4_bands_1_5pct_lanes cosine2 = cosine * cosine;
+    const skylight_sh_4_bands_1_5pct_lanes shape_y = (1.0f + (0.1787f * x[1] + (-1.46300006f)) *
+        (up2 * up2)) * (1.0f + ((-0.0227000006f) * x[1] + 5.32509995f) * halo4 + ((-0.0670000017f) *
+        x[1] + 0.370299995f) * cosine2);
+    const skylight_sh_4_bands_1_5pct_lanes y_zenith = ((((0.00274999999f * x[1] + (-0.0421399996f))
+        * x[1] + 0.153459996f) * x[0] + (((-0.00609999988f) * x[1] + 0.0896999985f) * x[1] +
+        (-0.267560005f))) * x[0] + ((0.00316999992f * x[1] + (-0.0415299982f)) * x[1] +
+        0.0666999966f)) * x[0] + (0.00516000018f * x[1] + 0.266880006f);
+    const skylight_sh_4_bands_1_5pct_lanes y_2 = ((-0.0640999973f) * x[1] + (-0.898899972f)) * x[0]
+        * 0.25f;
+    const skylight_sh_4_bands_1_5pct_lanes y2_2 = y_2 * y_2;
+    const skylight_sh_4_bands_1_5pct_lanes halo_2 = 1.0f + 0.99999845f * y_2 + y2_2 * (0.499975085f
+        + 0.166515172f * y_2 + y2_2 * (0.0412233174f + 0.00765432511f * y_2 + y2_2 *
+        0.000849007862f));
+    const skylight_sh_4_bands_1_5pct_lanes halo2_2 = halo_2 * halo_2;
+    const skylight_sh_4_bands_1_5pct_lanes halo4_2 = halo2_2 * halo2_2;
+    const skylight_sh_4_bands_1_5pct_lanes shape_x = (0.00249999994f * x[1] + 0.733200014f) * (1.0f
+        + ((-0.00039999999f) * x[1] + 0.212500006f) * halo4_2 + ((-0.00329999998f) * x[1] +
+        0.0452000014f) * cosine2);
+    const skylight_sh_4_bands_1_5pct_lanes one = zenith / (below * shape_y * y_zenith * shape_x);
+    const skylight_sh_4_bands_1_5pct_lanes x_zenith = ((((0.00165999995f * x[1] + (-0.0290300008f))
+        * x[1] + 0.11693f) * x[0] + (((-0.00374999992f) * x[1] + 0.0637700036f) * x[1] +
+        (-0.211960003f))) * x[0] + ((0.00209000008f * x[1] + (-0.0320199989f)) * x[1] +
+        0.0605200008f)) * x[0] + (0.0039400002f * x[1] + 0.258859992f);
+    const skylight_sh_4_bands_1_5pct_lanes y_3 = ((-0.0441000015f) * x[1] + (-1.65369999f)) * x[0] *
+        0.25f;
+    const skylight_sh_4_bands_1_5pct_lanes y2_3 = y_3 * y_3;
+    const skylight_sh_4_bands_1_5pct_lanes halo_3 = 1.0f + 0.99999845f * y_3 + y2_3 * (0.499975085f
+        + 0.166515172f * y_3 + y2_3 * (0.0412233174f + 0.00765432511f * y_3 + y2_3 *
+        0.000849007862f));
+    const skylight_sh_4_bands_1_5pct_lanes halo2_3 = halo_3 * halo_3;
+    const skylight_sh_4_bands_1_5pct_lanes halo4_3 = halo2_3 * halo2_3;
+    const skylight_sh_4_bands_1_5pct_lanes shape_z = (0.00992999971f * x[1] + 0.734399974f) * (1.0f
+        + ((-0.00789999962f) * x[1] + 0.210199997f) * halo4_3 + ((-0.0109000001f) * x[1] +
+        0.0529000014f) * cosine2);
+    const skylight_sh_4_bands_1_5pct_lanes of_x = one * x_zenith * shape_z;
+    const skylight_sh_4_bands_1_5pct_lanes part_2 = 3.73898554f * of_x;
+    out[4] = part_2;
+    const skylight_sh_4_bands_1_5pct_lanes of_y = one * y_zenith * shape_x;
+    const skylight_sh_4_bands_1_5pct_lanes of_s = one * shape_z * shape_x;
+    const skylight_sh_4_bands_1_5pct_lanes part_3 = (-0.498531401f) * of_s;
+    out[8] = part_3;
+    const skylight_sh_4_bands_1_5pct_lanes part_4 = part_2 + (-1.03860712f) * of_y + part_3;
+    out[0] = part_4;
+    const skylight_sh_4_bands_1_5pct_lanes part_5 = (-1.01082206f) * of_x;
+    out[5] = part_5;
+    const skylight_sh_4_bands_1_5pct_lanes part_6 = 0.0415560007f * of_s;
+    out[9] = part_6;
+    const skylight_sh_4_bands_1_5pct_lanes part_7 = part_5 + 1.83445477f * of_y + part_6;
+    out[1] = part_7;
+    const skylight_sh_4_bands_1_5pct_lanes part_8 = (-1.00158179f) * of_x;
+    out[6] = part_8;
+    const skylight_sh_4_bands_1_5pct_lanes part_9 = 1.05722523f * of_s;
+    out[10] = part_9;
+    const skylight_sh_4_bands_1_5pct_lanes part_10 = part_8 + (-1.26125109f) * of_y + part_9;
+    out[2] = part_10;
+    out[3] = skylight_sh_4_bands_1_5pct_spread(0.0f);
+    out[7] = skylight_sh_4_bands_1_5pct_spread(0.0f);
+    out[11] = skylight_sh_4_bands_1_5pct_spread(0.0f);
+    (void)x;
+}
+
+/* The functions of sun_zenith (change of variable: even); 0 where there is
+   none. */
+static inline void skylight_sh_4_bands_1_5pct_first_suns(const skylight_sh_4_bands_1_5pct_lanes *x,
+    skylight_sh_4_bands_1_5pct_lanes *out)
+{
+    out[0] = skylight_sh_4_bands_1_5pct_spread(1.0f);
+    const skylight_sh_4_bands_1_5pct_lanes part_1 = (-13.3479729f) * (x[0] * x[0] - 0.0f) /
+        ((-14.0f) - x[0] * x[0]) - 1.0f;
+    out[1] = part_1;
+    const skylight_sh_4_bands_1_5pct_lanes part_2 = part_1 * part_1;
+    out[2] = part_2;
+    const skylight_sh_4_bands_1_5pct_lanes part_3 = part_1 * part_2;
+    out[3] = part_3;
+    (void)x;
+}
+
+/* All products of the functions of turbidity (change of variable:
+   reciprocal). */
+static inline void skylight_sh_4_bands_1_5pct_others_suns(const skylight_sh_4_bands_1_5pct_lanes *x,
+    skylight_sh_4_bands_1_5pct_lanes *out)
+{
+    out[0] = skylight_sh_4_bands_1_5pct_spread(1.0f);
+    const skylight_sh_4_bands_1_5pct_lanes part_1 = (-4.85714293f) * (x[1] - 2.5f) / ((-2.5f) -
+        x[1]) - 1.0f;
+    out[1] = part_1;
+    const skylight_sh_4_bands_1_5pct_lanes part_2 = part_1 * part_1;
+    out[2] = part_2;
+    const skylight_sh_4_bands_1_5pct_lanes part_3 = part_1 * part_2;
+    out[3] = part_3;
+    (void)x;
+}
+
+/* cos(m azimuth) and sin(m azimuth), m < bands, each times the m-th power
+   of `radius`, by doubling. */
+static inline void skylight_sh_4_bands_1_5pct_waves_suns(skylight_sh_4_bands_1_5pct_lanes cosine,
+    skylight_sh_4_bands_1_5pct_lanes sine, skylight_sh_4_bands_1_5pct_lanes radius,
+    skylight_sh_4_bands_1_5pct_lanes *cosines, skylight_sh_4_bands_1_5pct_lanes *sines)
+{
+    cosines[0] = skylight_sh_4_bands_1_5pct_spread(1.0f);
+    const skylight_sh_4_bands_1_5pct_lanes part_1 = radius * cosine;
+    cosines[1] = part_1;
+    const skylight_sh_4_bands_1_5pct_lanes part_2 = radius * sine;
+    sines[1] = part_2;
+    const skylight_sh_4_bands_1_5pct_lanes part_3 = part_1 * part_1 - part_2 * part_2;
+    cosines[2] = part_3;
+    const skylight_sh_4_bands_1_5pct_lanes part_4 = part_2 * part_1 + part_1 * part_2;
+    sines[2] = part_4;
+    const skylight_sh_4_bands_1_5pct_lanes part_5 = part_1 * part_3 - part_2 * part_4;
+    cosines[3] = part_5;
+    sines[0] = skylight_sh_4_bands_1_5pct_spread(0.0f);
+    const skylight_sh_4_bands_1_5pct_lanes part_6 = part_2 * part_3 + part_1 * part_4;
+    sines[3] = part_6;
+}
+
+/* The sine of the sun's zenith angle, whose powers the sums of order m
+   lack. */
+static inline skylight_sh_4_bands_1_5pct_lanes skylight_sh_4_bands_1_5pct_sine_suns(const
+    skylight_sh_4_bands_1_5pct_lanes *x)
+{
+    const skylight_sh_4_bands_1_5pct_lanes part_1 = x[SKYLIGHT_SH_4_BANDS_1_5PCT_SUN] *
+        x[SKYLIGHT_SH_4_BANDS_1_5PCT_SUN];
+    return x[SKYLIGHT_SH_4_BANDS_1_5PCT_SUN] + x[SKYLIGHT_SH_4_BANDS_1_5PCT_SUN] * (part_1 *
+        ((-0.166666597f) + part_1 * (0.00833306555f + part_1 * ((-0.000198095426f) + part_1 *
+        2.60563934e-06f))));
+}
+
+static inline void skylight_sh_4_bands_1_5pct_quarter_suns(skylight_sh_4_bands_1_5pct_lanes angle,
+    skylight_sh_4_bands_1_5pct_lanes *out)
+{
+    const skylight_sh_4_bands_1_5pct_lanes part_1 = angle * angle;
+    const skylight_sh_4_bands_1_5pct_lanes part_2 = 1.0f - 0.5f * part_1 + part_1 * part_1 *
+        (0.0416666456f + part_1 * ((-0.00138873665f) + part_1 * 2.44383464e-05f));
+    out[0] = part_2;
+    const skylight_sh_4_bands_1_5pct_lanes part_3 = angle + angle * (part_1 * ((-0.166666552f) +
+        part_1 * (0.0083321603f + part_1 * (-0.00019515281f))));
+    out[1] = part_3;
+}
+
+#endif /* SKYLIGHT_SH_4_BANDS_1_5PCT_LANES */
 
 /* The zonal window's factor for the degree `share` * bands (Habel et al.
    2008, eq. 5). */
@@ -471,173 +838,178 @@ static inline void skylight_sh_4_bands_1_5pct_factor_slopes(const double *x, dou
     const double part_14 = (-0.022700000000000001) * x[1] + 5.3250999999999999;
     const double part_15 = 0.1206 * x[1] + (-2.5771000000000002);
     const double y = part_15 * x[0] * 0.25;
-    const double part_16 = 0.0076543250999999996 + y * 0.00084900787100000003;
-    const double part_17 = 0.041223317699999998 + y * part_16;
-    const double part_18 = 0.16651516699999999 + y * part_17;
-    const double part_19 = 0.49997509099999998 + y * part_18;
-    const double part_20 = 0.99999845399999998 + y * part_19;
-    const double halo = 0.99999998400000001 + y * part_20;
+    const double y2 = y * y;
+    const double part_16 = 0.041223317699999998 + 0.0076543250999999996 * y + y2 *
+        0.00084900787100000003;
+    const double part_17 = 0.49997509099999998 + 0.16651516699999999 * y + y2 * part_16;
+    const double halo = 0.99999998400000001 + 0.99999845399999998 * y + y2 * part_17;
     const double halo2 = halo * halo;
     const double halo4 = halo2 * halo2;
-    const double part_21 = (-0.067000000000000004) * x[1] + 0.37030000000000002;
+    const double part_18 = (-0.067000000000000004) * x[1] + 0.37030000000000002;
     const double z = x[0] * x[0];
-    const double part_22 = 0.5 - z * 0.03125;
-    const double cosine = 1.0 - z * part_22;
+    const double part_19 = 0.5 - z * 0.03125;
+    const double cosine = 1.0 - z * part_19;
     const double cosine2 = cosine * cosine;
-    const double part_23 = 1.0 + part_14 * halo4 + part_21 * cosine2;
-    const double shape_y = part_13 * part_23;
-    const double part_24 = below * shape_y;
-    const double part_25 = 0.0027499999999999998 * x[1] + (-0.042139999999999997);
-    const double part_26 = part_25 * x[1] + 0.15346000000000001;
-    const double part_27 = (-0.0061000000000000004) * x[1] + 0.089700000000000002;
-    const double part_28 = part_26 * x[0] + (part_27 * x[1] + (-0.26756000000000002));
-    const double part_29 = 0.0031700000000000001 * x[1] + (-0.041529999999999997);
-    const double part_30 = part_28 * x[0] + (part_29 * x[1] + 0.066699999999999995);
-    const double y_zenith = part_30 * x[0] + (0.0051599999999999997 * x[1] + 0.26688000000000001);
-    const double part_31 = part_24 * y_zenith;
-    const double part_32 = 0.0025000000000000001 * x[1] + 0.73319999999999996;
-    const double part_33 = (-0.00040000000000000002) * x[1] + 0.21249999999999999;
-    const double part_34 = (-0.064100000000000004) * x[1] + (-0.89890000000000003);
-    const double y_2 = part_34 * x[0] * 0.25;
-    const double part_35 = 0.0076543250999999996 + y_2 * 0.00084900787100000003;
-    const double part_36 = 0.041223317699999998 + y_2 * part_35;
-    const double part_37 = 0.16651516699999999 + y_2 * part_36;
-    const double part_38 = 0.49997509099999998 + y_2 * part_37;
-    const double part_39 = 0.99999845399999998 + y_2 * part_38;
-    const double halo_2 = 0.99999998400000001 + y_2 * part_39;
+    const double part_20 = 1.0 + part_14 * halo4 + part_18 * cosine2;
+    const double shape_y = part_13 * part_20;
+    const double part_21 = below * shape_y;
+    const double part_22 = 0.0027499999999999998 * x[1] + (-0.042139999999999997);
+    const double part_23 = part_22 * x[1] + 0.15346000000000001;
+    const double part_24 = (-0.0061000000000000004) * x[1] + 0.089700000000000002;
+    const double part_25 = part_23 * x[0] + (part_24 * x[1] + (-0.26756000000000002));
+    const double part_26 = 0.0031700000000000001 * x[1] + (-0.041529999999999997);
+    const double part_27 = part_25 * x[0] + (part_26 * x[1] + 0.066699999999999995);
+    const double y_zenith = part_27 * x[0] + (0.0051599999999999997 * x[1] + 0.26688000000000001);
+    const double part_28 = part_21 * y_zenith;
+    const double part_29 = 0.0025000000000000001 * x[1] + 0.73319999999999996;
+    const double part_30 = (-0.00040000000000000002) * x[1] + 0.21249999999999999;
+    const double part_31 = (-0.064100000000000004) * x[1] + (-0.89890000000000003);
+    const double y_2 = part_31 * x[0] * 0.25;
+    const double y2_2 = y_2 * y_2;
+    const double part_32 = 0.041223317699999998 + 0.0076543250999999996 * y_2 + y2_2 *
+        0.00084900787100000003;
+    const double part_33 = 0.49997509099999998 + 0.16651516699999999 * y_2 + y2_2 * part_32;
+    const double halo_2 = 0.99999998400000001 + 0.99999845399999998 * y_2 + y2_2 * part_33;
     const double halo2_2 = halo_2 * halo_2;
     const double halo4_2 = halo2_2 * halo2_2;
-    const double part_40 = (-0.0033) * x[1] + 0.045199999999999997;
-    const double part_41 = 1.0 + part_33 * halo4_2 + part_40 * cosine2;
-    const double shape_x = part_32 * part_41;
-    const double part_42 = part_31 * shape_x;
-    const double one = zenith / part_42;
-    const double part_43 = 0.00166 * x[1] + (-0.02903);
-    const double part_44 = part_43 * x[1] + 0.11693000000000001;
-    const double part_45 = (-0.0037499999999999999) * x[1] + 0.063769999999999993;
-    const double part_46 = part_44 * x[0] + (part_45 * x[1] + (-0.21196000000000001));
-    const double part_47 = 0.0020899999999999998 * x[1] + (-0.03202);
-    const double part_48 = part_46 * x[0] + (part_47 * x[1] + 0.060519999999999997);
-    const double x_zenith = part_48 * x[0] + (0.0039399999999999999 * x[1] + 0.25885999999999998);
-    const double part_49 = one * x_zenith;
-    const double part_50 = 0.0099299999999999996 * x[1] + 0.73440000000000005;
-    const double part_51 = (-0.0079000000000000008) * x[1] + 0.2102;
-    const double part_52 = (-0.0441) * x[1] + (-1.6536999999999999);
-    const double y_3 = part_52 * x[0] * 0.25;
-    const double part_53 = 0.0076543250999999996 + y_3 * 0.00084900787100000003;
-    const double part_54 = 0.041223317699999998 + y_3 * part_53;
-    const double part_55 = 0.16651516699999999 + y_3 * part_54;
-    const double part_56 = 0.49997509099999998 + y_3 * part_55;
-    const double part_57 = 0.99999845399999998 + y_3 * part_56;
-    const double halo_3 = 0.99999998400000001 + y_3 * part_57;
+    const double part_34 = (-0.0033) * x[1] + 0.045199999999999997;
+    const double part_35 = 1.0 + part_30 * halo4_2 + part_34 * cosine2;
+    const double shape_x = part_29 * part_35;
+    const double part_36 = part_28 * shape_x;
+    const double one = zenith / part_36;
+    const double part_37 = 0.00166 * x[1] + (-0.02903);
+    const double part_38 = part_37 * x[1] + 0.11693000000000001;
+    const double part_39 = (-0.0037499999999999999) * x[1] + 0.063769999999999993;
+    const double part_40 = part_38 * x[0] + (part_39 * x[1] + (-0.21196000000000001));
+    const double part_41 = 0.0020899999999999998 * x[1] + (-0.03202);
+    const double part_42 = part_40 * x[0] + (part_41 * x[1] + 0.060519999999999997);
+    const double x_zenith = part_42 * x[0] + (0.0039399999999999999 * x[1] + 0.25885999999999998);
+    const double part_43 = one * x_zenith;
+    const double part_44 = 0.0099299999999999996 * x[1] + 0.73440000000000005;
+    const double part_45 = (-0.0079000000000000008) * x[1] + 0.2102;
+    const double part_46 = (-0.0441) * x[1] + (-1.6536999999999999);
+    const double y_3 = part_46 * x[0] * 0.25;
+    const double y2_3 = y_3 * y_3;
+    const double part_47 = 0.041223317699999998 + 0.0076543250999999996 * y_3 + y2_3 *
+        0.00084900787100000003;
+    const double part_48 = 0.49997509099999998 + 0.16651516699999999 * y_3 + y2_3 * part_47;
+    const double halo_3 = 0.99999998400000001 + 0.99999845399999998 * y_3 + y2_3 * part_48;
     const double halo2_3 = halo_3 * halo_3;
     const double halo4_3 = halo2_3 * halo2_3;
-    const double part_58 = (-0.0109) * x[1] + 0.052900000000000003;
-    const double part_59 = 1.0 + part_51 * halo4_3 + part_58 * cosine2;
-    const double shape_z = part_50 * part_59;
-    const double of_x = part_49 * shape_z;
-    out[1] = 3.7389855999999999 * of_x;
-    const double part_60 = one * y_zenith;
-    const double of_y = part_60 * shape_x;
-    const double part_61 = one * shape_z;
-    const double of_s = part_61 * shape_x;
-    out[2] = (-0.49853140000000001) * of_s;
-    out[0] = out[1] + (-1.0386070999999999) * of_y + out[2];
-    out[4] = (-1.0108219999999999) * of_x;
-    out[5] = 0.041556000000000003 * of_s;
-    out[3] = out[4] + 1.8344548000000001 * of_y + out[5];
-    out[7] = (-1.0015818000000001) * of_x;
-    out[8] = 1.0572252 * of_s;
-    out[6] = out[7] + (-1.2612511) * of_y + out[8];
-    const double part_62 = part_2 * -1.0;
-    const double part_63 = part_62 * chi + chi * part_62;
-    const double part_64 = -(part_63 * part_8 + square * -(15.0 * part_63));
-    const double part_65 = part_15 * 0.25;
-    const double part_66 = part_65 * part_20 + y * (part_65 * part_19 + y * (part_65 * part_18 + y *
-        (part_65 * part_17 + y * (part_65 * part_16 + y * (part_65 * 0.00084900787100000003)))));
-    const double part_67 = part_66 * halo + halo * part_66;
-    const double part_68 = x[0] + x[0];
-    const double part_69 = -(part_68 * part_22 + z * -(part_68 * 0.03125));
-    const double part_70 = part_69 * cosine + cosine * part_69;
-    const double part_71 = (part_26 * x[0] + part_28) * x[0] + part_30;
-    const double part_72 = part_34 * 0.25;
-    const double part_73 = part_72 * part_39 + y_2 * (part_72 * part_38 + y_2 * (part_72 * part_37 +
-        y_2 * (part_72 * part_36 + y_2 * (part_72 * part_35 + y_2 * (part_72 *
-        0.00084900787100000003)))));
-    const double part_74 = part_73 * halo_2 + halo_2 * part_73;
-    const double part_75 = part_32 * (part_33 * (part_74 * halo2_2 + halo2_2 * part_74) + part_40 *
-        part_70);
-    const double part_76 = (part_1 * (part_62 * part_5 + chi * -(part_63 * part_4 + square *
-        -part_63)) + part_7 * part_64) / part_42 - one * (((part_64 * shape_y + below * (part_13 *
-        (part_14 * (part_67 * halo2 + halo2 * part_67) + part_21 * part_70))) * y_zenith + part_24 *
-        part_71) * shape_x + part_31 * part_75) / part_42;
-    const double part_77 = part_52 * 0.25;
-    const double part_78 = part_77 * part_57 + y_3 * (part_77 * part_56 + y_3 * (part_77 * part_55 +
-        y_3 * (part_77 * part_54 + y_3 * (part_77 * part_53 + y_3 * (part_77 *
-        0.00084900787100000003)))));
-    const double part_79 = part_78 * halo_3 + halo_3 * part_78;
-    const double part_80 = part_50 * (part_51 * (part_79 * halo2_3 + halo2_3 * part_79) + part_58 *
-        part_70);
-    const double part_81 = (part_76 * x_zenith + one * ((part_44 * x[0] + part_46) * x[0] +
-        part_48)) * shape_z + part_49 * part_80;
-    out[10] = 3.7389855999999999 * part_81;
-    const double part_82 = (part_76 * y_zenith + one * part_71) * shape_x + part_60 * part_75;
-    const double part_83 = (part_76 * shape_z + one * part_80) * shape_x + part_61 * part_75;
-    out[11] = (-0.49853140000000001) * part_83;
-    out[9] = out[10] + (-1.0386070999999999) * part_82 + out[11];
-    out[13] = (-1.0108219999999999) * part_81;
-    out[14] = 0.041556000000000003 * part_83;
-    out[12] = out[13] + 1.8344548000000001 * part_82 + out[14];
-    out[16] = (-1.0015818000000001) * part_81;
-    out[17] = 1.0572252 * part_83;
-    out[15] = out[16] + (-1.2612511) * part_82 + out[17];
-    const double part_84 = -0.016666666666666666 * part_3;
-    const double part_85 = part_84 * chi + chi * part_84;
-    const double part_86 = -(part_85 * part_8 + square * -(15.0 * part_85));
-    const double part_87 = (-0.35539999999999999) * part_11 + part_10 * ((-0.35539999999999999) *
+    const double part_49 = (-0.0109) * x[1] + 0.052900000000000003;
+    const double part_50 = 1.0 + part_45 * halo4_3 + part_49 * cosine2;
+    const double shape_z = part_44 * part_50;
+    const double of_x = part_43 * shape_z;
+    out[4] = 3.7389855999999999 * of_x;
+    const double part_51 = one * y_zenith;
+    const double of_y = part_51 * shape_x;
+    const double part_52 = one * shape_z;
+    const double of_s = part_52 * shape_x;
+    out[8] = (-0.49853140000000001) * of_s;
+    out[0] = out[4] + (-1.0386070999999999) * of_y + out[8];
+    out[5] = (-1.0108219999999999) * of_x;
+    out[9] = 0.041556000000000003 * of_s;
+    out[1] = out[5] + 1.8344548000000001 * of_y + out[9];
+    out[6] = (-1.0015818000000001) * of_x;
+    out[10] = 1.0572252 * of_s;
+    out[2] = out[6] + (-1.2612511) * of_y + out[10];
+    const double part_53 = part_2 * -1.0;
+    const double part_54 = part_53 * chi + chi * part_53;
+    const double part_55 = -(part_54 * part_8 + square * -(15.0 * part_54));
+    const double part_56 = part_15 * 0.25;
+    const double part_57 = part_56 * y + y * part_56;
+    const double part_58 = 0.99999845399999998 * part_56 + (part_57 * part_17 + y2 *
+        (0.16651516699999999 * part_56 + (part_57 * part_16 + y2 * (0.0076543250999999996 * part_56
+        + part_57 * 0.00084900787100000003))));
+    const double part_59 = part_58 * halo + halo * part_58;
+    const double part_60 = x[0] + x[0];
+    const double part_61 = -(part_60 * part_19 + z * -(part_60 * 0.03125));
+    const double part_62 = part_61 * cosine + cosine * part_61;
+    const double part_63 = (part_23 * x[0] + part_25) * x[0] + part_27;
+    const double part_64 = part_31 * 0.25;
+    const double part_65 = part_64 * y_2 + y_2 * part_64;
+    const double part_66 = 0.99999845399999998 * part_64 + (part_65 * part_33 + y2_2 *
+        (0.16651516699999999 * part_64 + (part_65 * part_32 + y2_2 * (0.0076543250999999996 *
+        part_64 + part_65 * 0.00084900787100000003))));
+    const double part_67 = part_66 * halo_2 + halo_2 * part_66;
+    const double part_68 = part_29 * (part_30 * (part_67 * halo2_2 + halo2_2 * part_67) + part_34 *
+        part_62);
+    const double part_69 = (part_1 * (part_53 * part_5 + chi * -(part_54 * part_4 + square *
+        -part_54)) + part_7 * part_55) / part_36 - one * (((part_55 * shape_y + below * (part_13 *
+        (part_14 * (part_59 * halo2 + halo2 * part_59) + part_18 * part_62))) * y_zenith + part_21 *
+        part_63) * shape_x + part_28 * part_68) / part_36;
+    const double part_70 = part_46 * 0.25;
+    const double part_71 = part_70 * y_3 + y_3 * part_70;
+    const double part_72 = 0.99999845399999998 * part_70 + (part_71 * part_48 + y2_3 *
+        (0.16651516699999999 * part_70 + (part_71 * part_47 + y2_3 * (0.0076543250999999996 *
+        part_70 + part_71 * 0.00084900787100000003))));
+    const double part_73 = part_72 * halo_3 + halo_3 * part_72;
+    const double part_74 = part_44 * (part_45 * (part_73 * halo2_3 + halo2_3 * part_73) + part_49 *
+        part_62);
+    const double part_75 = (part_69 * x_zenith + one * ((part_38 * x[0] + part_40) * x[0] +
+        part_42)) * shape_z + part_43 * part_74;
+    out[16] = 3.7389855999999999 * part_75;
+    const double part_76 = (part_69 * y_zenith + one * part_63) * shape_x + part_51 * part_68;
+    const double part_77 = (part_69 * shape_z + one * part_74) * shape_x + part_52 * part_68;
+    out[20] = (-0.49853140000000001) * part_77;
+    out[12] = out[16] + (-1.0386070999999999) * part_76 + out[20];
+    out[17] = (-1.0108219999999999) * part_75;
+    out[21] = 0.041556000000000003 * part_77;
+    out[13] = out[17] + 1.8344548000000001 * part_76 + out[21];
+    out[18] = (-1.0015818000000001) * part_75;
+    out[22] = 1.0572252 * part_77;
+    out[14] = out[18] + (-1.2612511) * part_76 + out[22];
+    const double part_78 = -0.016666666666666666 * part_3;
+    const double part_79 = part_78 * chi + chi * part_78;
+    const double part_80 = -(part_79 * part_8 + square * -(15.0 * part_79));
+    const double part_81 = (-0.35539999999999999) * part_11 + part_10 * ((-0.35539999999999999) *
         0.03125);
-    const double part_88 = part_87 * up + up * part_87;
-    const double part_89 = 0.1206 * x[0] * 0.25;
-    const double part_90 = part_89 * part_20 + y * (part_89 * part_19 + y * (part_89 * part_18 + y *
-        (part_89 * part_17 + y * (part_89 * part_16 + y * (part_89 * 0.00084900787100000003)))));
-    const double part_91 = part_90 * halo + halo * part_90;
-    const double part_92 = (((0.0027499999999999998 * x[1] + part_25) * x[0] +
-        ((-0.0061000000000000004) * x[1] + part_27)) * x[0] + (0.0031700000000000001 * x[1] +
-        part_29)) * x[0] + 0.0051599999999999997;
-    const double part_93 = (-0.064100000000000004) * x[0] * 0.25;
-    const double part_94 = part_93 * part_39 + y_2 * (part_93 * part_38 + y_2 * (part_93 * part_37 +
-        y_2 * (part_93 * part_36 + y_2 * (part_93 * part_35 + y_2 * (part_93 *
-        0.00084900787100000003)))));
-    const double part_95 = part_94 * halo_2 + halo_2 * part_94;
-    const double part_96 = 0.0025000000000000001 * part_41 + part_32 * ((-0.00040000000000000002) *
-        halo4_2 + part_33 * (part_95 * halo2_2 + halo2_2 * part_95) + (-0.0033) * cosine2);
-    const double part_97 = (4045.3000000000002 * part_6 + part_1 * (part_84 * part_5 + chi *
-        -(part_85 * part_4 + square * -part_85)) + (-215.5 * below + part_7 * part_86)) / part_42 -
-        one * (((part_86 * shape_y + below * ((0.1787 * part_12 + part_9 * (part_88 * up2 + up2 *
-        part_88)) * part_23 + part_13 * ((-0.022700000000000001) * halo4 + part_14 * (part_91 *
-        halo2 + halo2 * part_91) + (-0.067000000000000004) * cosine2))) * y_zenith + part_24 *
-        part_92) * shape_x + part_31 * part_96) / part_42;
-    const double part_98 = (-0.0441) * x[0] * 0.25;
-    const double part_99 = part_98 * part_57 + y_3 * (part_98 * part_56 + y_3 * (part_98 * part_55 +
-        y_3 * (part_98 * part_54 + y_3 * (part_98 * part_53 + y_3 * (part_98 *
-        0.00084900787100000003)))));
-    const double part_100 = part_99 * halo_3 + halo_3 * part_99;
-    const double part_101 = 0.0099299999999999996 * part_59 + part_50 * ((-0.0079000000000000008) *
-        halo4_3 + part_51 * (part_100 * halo2_3 + halo2_3 * part_100) + (-0.0109) * cosine2);
-    const double part_102 = (part_97 * x_zenith + one * ((((0.00166 * x[1] + part_43) * x[0] +
-        ((-0.0037499999999999999) * x[1] + part_45)) * x[0] + (0.0020899999999999998 * x[1] +
-        part_47)) * x[0] + 0.0039399999999999999)) * shape_z + part_49 * part_101;
-    out[19] = 3.7389855999999999 * part_102;
-    const double part_103 = (part_97 * y_zenith + one * part_92) * shape_x + part_60 * part_96;
-    const double part_104 = (part_97 * shape_z + one * part_101) * shape_x + part_61 * part_96;
-    out[20] = (-0.49853140000000001) * part_104;
-    out[18] = out[19] + (-1.0386070999999999) * part_103 + out[20];
-    out[22] = (-1.0108219999999999) * part_102;
-    out[23] = 0.041556000000000003 * part_104;
-    out[21] = out[22] + 1.8344548000000001 * part_103 + out[23];
-    out[25] = (-1.0015818000000001) * part_102;
-    out[26] = 1.0572252 * part_104;
-    out[24] = out[25] + (-1.2612511) * part_103 + out[26];
+    const double part_82 = part_81 * up + up * part_81;
+    const double part_83 = 0.1206 * x[0] * 0.25;
+    const double part_84 = part_83 * y + y * part_83;
+    const double part_85 = 0.99999845399999998 * part_83 + (part_84 * part_17 + y2 *
+        (0.16651516699999999 * part_83 + (part_84 * part_16 + y2 * (0.0076543250999999996 * part_83
+        + part_84 * 0.00084900787100000003))));
+    const double part_86 = part_85 * halo + halo * part_85;
+    const double part_87 = (((0.0027499999999999998 * x[1] + part_22) * x[0] +
+        ((-0.0061000000000000004) * x[1] + part_24)) * x[0] + (0.0031700000000000001 * x[1] +
+        part_26)) * x[0] + 0.0051599999999999997;
+    const double part_88 = (-0.064100000000000004) * x[0] * 0.25;
+    const double part_89 = part_88 * y_2 + y_2 * part_88;
+    const double part_90 = 0.99999845399999998 * part_88 + (part_89 * part_33 + y2_2 *
+        (0.16651516699999999 * part_88 + (part_89 * part_32 + y2_2 * (0.0076543250999999996 *
+        part_88 + part_89 * 0.00084900787100000003))));
+    const double part_91 = part_90 * halo_2 + halo_2 * part_90;
+    const double part_92 = 0.0025000000000000001 * part_35 + part_29 * ((-0.00040000000000000002) *
+        halo4_2 + part_30 * (part_91 * halo2_2 + halo2_2 * part_91) + (-0.0033) * cosine2);
+    const double part_93 = (4045.3000000000002 * part_6 + part_1 * (part_78 * part_5 + chi *
+        -(part_79 * part_4 + square * -part_79)) + (-215.5 * below + part_7 * part_80)) / part_36 -
+        one * (((part_80 * shape_y + below * ((0.1787 * part_12 + part_9 * (part_82 * up2 + up2 *
+        part_82)) * part_20 + part_13 * ((-0.022700000000000001) * halo4 + part_14 * (part_86 *
+        halo2 + halo2 * part_86) + (-0.067000000000000004) * cosine2))) * y_zenith + part_21 *
+        part_87) * shape_x + part_28 * part_92) / part_36;
+    const double part_94 = (-0.0441) * x[0] * 0.25;
+    const double part_95 = part_94 * y_3 + y_3 * part_94;
+    const double part_96 = 0.99999845399999998 * part_94 + (part_95 * part_48 + y2_3 *
+        (0.16651516699999999 * part_94 + (part_95 * part_47 + y2_3 * (0.0076543250999999996 *
+        part_94 + part_95 * 0.00084900787100000003))));
+    const double part_97 = part_96 * halo_3 + halo_3 * part_96;
+    const double part_98 = 0.0099299999999999996 * part_50 + part_44 * ((-0.0079000000000000008) *
+        halo4_3 + part_45 * (part_97 * halo2_3 + halo2_3 * part_97) + (-0.0109) * cosine2);
+    const double part_99 = (part_93 * x_zenith + one * ((((0.00166 * x[1] + part_37) * x[0] +
+        ((-0.0037499999999999999) * x[1] + part_39)) * x[0] + (0.0020899999999999998 * x[1] +
+        part_41)) * x[0] + 0.0039399999999999999)) * shape_z + part_43 * part_98;
+    out[28] = 3.7389855999999999 * part_99;
+    const double part_100 = (part_93 * y_zenith + one * part_87) * shape_x + part_51 * part_92;
+    const double part_101 = (part_93 * shape_z + one * part_98) * shape_x + part_52 * part_92;
+    out[32] = (-0.49853140000000001) * part_101;
+    out[24] = out[28] + (-1.0386070999999999) * part_100 + out[32];
+    out[29] = (-1.0108219999999999) * part_99;
+    out[33] = 0.041556000000000003 * part_101;
+    out[25] = out[29] + 1.8344548000000001 * part_100 + out[33];
+    out[30] = (-1.0015818000000001) * part_99;
+    out[34] = 1.0572252 * part_101;
+    out[26] = out[30] + (-1.2612511) * part_100 + out[34];
     (void)x;
 }
 
@@ -681,7 +1053,7 @@ static inline int skylight_sh_4_bands_1_5pct_inputs(const float
         skylight_sh_4_bands_1_5pct_kind(inputs[axis]);
     if (strange & 2) return 2;
     for (axis = 0; axis < SKYLIGHT_SH_4_BANDS_1_5PCT_AXES; ++axis) {
-        const float v = skylight_sh_4_bands_1_5pct_finite(inputs[axis]);
+        const float v = strange ? skylight_sh_4_bands_1_5pct_finite(inputs[axis]) : inputs[axis];
         const skylight_sh_4_bands_1_5pct_real low = skylight_sh_4_bands_1_5pct_range[axis][0],
             high = skylight_sh_4_bands_1_5pct_range[axis][1];
         const skylight_sh_4_bands_1_5pct_real at_least = (skylight_sh_4_bands_1_5pct_real)v < low ?
@@ -693,110 +1065,34 @@ static inline int skylight_sh_4_bands_1_5pct_inputs(const float
     return status;
 }
 
-/* Numbers side by side where the compiler has vector types: as many as the processor's registers
-   hold, and four. */
-#if defined(__GNUC__) && (defined(__SSE__) || defined(__ARM_NEON) || defined(__ALTIVEC__) || \
-                          defined(__wasm_simd128__) || defined(__loongarch_sx))
-#if defined(__AVX512F__)
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_LANES 16
-#elif defined(__AVX__)
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_LANES 8
-#else
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_LANES 4
-#endif
-#endif
-/* What is worth its place in every caller. */
-#ifdef __GNUC__
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_INLINE static inline __attribute__((always_inline))
-#else
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_INLINE static inline
-#endif
-#ifdef SKYLIGHT_SH_4_BANDS_1_5PCT_LANES
-#ifdef __FMA__
-/* One operation for a product and a sum, which standard C may not choose by itself. */
-#include <immintrin.h>
-#endif
-typedef float skylight_sh_4_bands_1_5pct_lanes __attribute__((vector_size(4 *
-    SKYLIGHT_SH_4_BANDS_1_5PCT_LANES)));
-typedef float skylight_sh_4_bands_1_5pct_four __attribute__((vector_size(16)));
-typedef int skylight_sh_4_bands_1_5pct_order __attribute__((vector_size(16)));
-
-/* The same number in all places: v - 0 is v, which 0 + v need not be. */
-static inline skylight_sh_4_bands_1_5pct_lanes skylight_sh_4_bands_1_5pct_spread(float v)
+/* The cosine and sine of an angle. */
+static inline void skylight_sh_4_bands_1_5pct_circle(skylight_sh_4_bands_1_5pct_real angle,
+    skylight_sh_4_bands_1_5pct_real *cosine,
+                                      skylight_sh_4_bands_1_5pct_real *sine)
 {
-    const skylight_sh_4_bands_1_5pct_lanes zeros = {0};
-    return v - zeros;
+    /* By the nearest quarter turn and the rest of it: without a branch, which a processor would
+     * have
+       to guess. The rest in double, since the two nearly cancel. */
+    float out[2];
+    uint32_t bits[2], quarter, swapped;
+    int quarters;
+    if (!(angle > -1e5f && angle < 1e5f)) {
+        *cosine = cosf(angle);
+        *sine = sinf(angle);
+        return;
+    }
+    quarters = (int)(angle * 0.636619772f + copysignf(0.5f, angle));
+    skylight_sh_4_bands_1_5pct_quarter((float)((double)angle - (double)quarters *
+        1.5707963267948966), out);
+    memcpy(bits, out, sizeof bits);
+    quarter = (uint32_t)quarters;
+    /* Odd quarters swap the two; each changes its sign in two of four. */
+    swapped = (bits[0] ^ bits[1]) & (0u - (quarter & 1u));
+    bits[0] ^= swapped ^ (((quarter + 1u) & 2u) << 30);
+    bits[1] ^= swapped ^ ((quarter & 2u) << 30);
+    memcpy(cosine, &bits[0], sizeof bits[0]);
+    memcpy(sine, &bits[1], sizeof bits[1]);
 }
-
-static inline skylight_sh_4_bands_1_5pct_lanes skylight_sh_4_bands_1_5pct_load(const float *from)
-{
-    skylight_sh_4_bands_1_5pct_lanes v;
-    memcpy(&v, from, sizeof v);
-    return v;
-}
-
-/* a * b + c. */
-static inline skylight_sh_4_bands_1_5pct_lanes
-    skylight_sh_4_bands_1_5pct_add(skylight_sh_4_bands_1_5pct_lanes a,
-    skylight_sh_4_bands_1_5pct_lanes b,
-                                                skylight_sh_4_bands_1_5pct_lanes c)
-{
-#if defined(__FMA__) && SKYLIGHT_SH_4_BANDS_1_5PCT_LANES == 16
-    return _mm512_fmadd_ps(a, b, c);
-#elif defined(__FMA__) && SKYLIGHT_SH_4_BANDS_1_5PCT_LANES == 8
-    return _mm256_fmadd_ps(a, b, c);
-#else
-    return a * b + c;
-#endif
-}
-
-static inline skylight_sh_4_bands_1_5pct_four skylight_sh_4_bands_1_5pct_spread_four(float v)
-{
-    const skylight_sh_4_bands_1_5pct_four zeros = {0};
-    return v - zeros;
-}
-
-static inline skylight_sh_4_bands_1_5pct_four skylight_sh_4_bands_1_5pct_load_four(const float
-    *from)
-{
-    skylight_sh_4_bands_1_5pct_four v;
-    memcpy(&v, from, sizeof v);
-    return v;
-}
-
-static inline skylight_sh_4_bands_1_5pct_four
-    skylight_sh_4_bands_1_5pct_add_four(skylight_sh_4_bands_1_5pct_four a,
-    skylight_sh_4_bands_1_5pct_four b,
-                                                    skylight_sh_4_bands_1_5pct_four c)
-{
-#ifdef __FMA__
-    return _mm_fmadd_ps(a, b, c);
-#else
-    return a * b + c;
-#endif
-}
-
-static inline void skylight_sh_4_bands_1_5pct_keep(float *to, skylight_sh_4_bands_1_5pct_four v)
-{
-    memcpy(to, &v, sizeof v);
-}
-
-/* Four of the eight numbers of two vectors. */
-#ifdef __clang__
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_PICK(v, w, a, b, c, d) __builtin_shufflevector(v, w, a, b, c, d)
-#else
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_PICK(v, w, a, b, c, d) skylight_sh_4_bands_1_5pct_pick(v, w, a, \
-    b, c, d)
-static inline skylight_sh_4_bands_1_5pct_four
-    skylight_sh_4_bands_1_5pct_pick(skylight_sh_4_bands_1_5pct_four v,
-    skylight_sh_4_bands_1_5pct_four w, int a,
-                                                int b, int c, int d)
-{
-    const skylight_sh_4_bands_1_5pct_order order = {a, b, c, d};
-    return __builtin_shuffle(v, w, order);
-}
-#endif
-#endif
 
 /* One channel's sums, from those of its classes. */
 static inline void skylight_sh_4_bands_1_5pct_mix(skylight_sh_4_bands_1_5pct_real
@@ -807,10 +1103,10 @@ static inline void skylight_sh_4_bands_1_5pct_mix(skylight_sh_4_bands_1_5pct_rea
     int i;
     int k;
     for (i = 0; i < SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH; ++i)
-        mixed[i] = factors[channel * SKYLIGHT_SH_4_BANDS_1_5PCT_CLASSES] * sums[0][i];
+        mixed[i] = factors[SKYLIGHT_SH_4_BANDS_1_5PCT_FACTOR(channel, 0)] * sums[0][i];
     for (k = 1; k < SKYLIGHT_SH_4_BANDS_1_5PCT_CLASSES; ++k)
         for (i = 0; i < SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH; ++i)
-            mixed[i] += factors[channel * SKYLIGHT_SH_4_BANDS_1_5PCT_CLASSES + k] * sums[k][i];
+            mixed[i] += factors[SKYLIGHT_SH_4_BANDS_1_5PCT_FACTOR(channel, k)] * sums[k][i];
 }
 
 /* Orders m >= 0 alone are stored: those of a light that is even in y at azimuth 0. */
@@ -852,12 +1148,12 @@ static inline void skylight_sh_4_bands_1_5pct_store(
         skylight_sh_4_bands_1_5pct_four v[SKYLIGHT_SH_4_BANDS_1_5PCT_FOURS];
         for (q = 0; q < SKYLIGHT_SH_4_BANDS_1_5PCT_FOURS; ++q) {
             int k;
-            v[q] = factors[channel * SKYLIGHT_SH_4_BANDS_1_5PCT_CLASSES] *
-                skylight_sh_4_bands_1_5pct_load_four(sums[0] + 4 * q);
+            v[q] = factors[SKYLIGHT_SH_4_BANDS_1_5PCT_FACTOR(channel,
+                0)] * skylight_sh_4_bands_1_5pct_load_four(sums[0] + 4 * q);
             for (k = 1; k < SKYLIGHT_SH_4_BANDS_1_5PCT_CLASSES; ++k)
                 v[q] = skylight_sh_4_bands_1_5pct_add_four(
-                    skylight_sh_4_bands_1_5pct_spread_four(factors[channel *
-                        SKYLIGHT_SH_4_BANDS_1_5PCT_CLASSES + k]),
+                    skylight_sh_4_bands_1_5pct_spread_four(factors
+                        [SKYLIGHT_SH_4_BANDS_1_5PCT_FACTOR(channel, k)]),
                     skylight_sh_4_bands_1_5pct_load_four(sums[k] + 4 * q), v[q]);
         }
 #define SKYLIGHT_SH_4_BANDS_1_5PCT_BAND(l, stores) \
@@ -913,8 +1209,19 @@ static inline void skylight_sh_4_bands_1_5pct_store(
 #define SKYLIGHT_SH_4_BANDS_1_5PCT_BLOCK \
     ((SKYLIGHT_SH_4_BANDS_1_5PCT_VECTORS(SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH) + \
         SKYLIGHT_SH_4_BANDS_1_5PCT_BLOCKS - 1) / SKYLIGHT_SH_4_BANDS_1_5PCT_BLOCKS)
+/* What is done for each vector of a block: written out, since a compiler that keeps loops keeps
+ * their
+   vectors in memory. */
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_EACH(DO) DO(0) DO(1) DO(2) DO(3) DO(4) DO(5) DO(6) DO(7)
 #endif
 #ifdef SKYLIGHT_SH_4_BANDS_1_5PCT_LANES
+/* All columns at once, as written: gcc would sum one after the other, each step waiting for the one
+   before. */
+#if defined(__GNUC__) && !defined(__clang__) && defined(__SSE__)
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_IN_ORDER(v) __asm__("" : "+x"(v));
+#else
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_IN_ORDER(v)
+#endif
 
 /* One class's sums, for SKYLIGHT_SH_4_BANDS_1_5PCT_BLOCK vectors of each row: over the products of
  * the other axes'
@@ -926,17 +1233,19 @@ SKYLIGHT_SH_4_BANDS_1_5PCT_INLINE void skylight_sh_4_bands_1_5pct_sum_block(cons
                                               skylight_sh_4_bands_1_5pct_real *sums)
 {
     const skylight_sh_4_bands_1_5pct_lanes power = skylight_sh_4_bands_1_5pct_spread(u);
-    int i, k;
+    int i;
 #define SKYLIGHT_SH_4_BANDS_1_5PCT_CLASS(which, polynomials) \
     if (class_ == (which)) { \
         skylight_sh_4_bands_1_5pct_lanes total[SKYLIGHT_SH_4_BANDS_1_5PCT_BLOCK]; \
-        polynomials \
-        for (k = 0; k < SKYLIGHT_SH_4_BANDS_1_5PCT_BLOCK; ++k) \
-            memcpy(sums + k * SKYLIGHT_SH_4_BANDS_1_5PCT_LANES, &total[k], sizeof total[k]); \
+        polynomials SKYLIGHT_SH_4_BANDS_1_5PCT_EACH(SKYLIGHT_SH_4_BANDS_1_5PCT_SUM) \
     }
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_SUM(k) \
+    if ((k) < SKYLIGHT_SH_4_BANDS_1_5PCT_BLOCK) memcpy(sums + (k) * \
+        SKYLIGHT_SH_4_BANDS_1_5PCT_LANES, &total[k], sizeof total[k]);
 #define SKYLIGHT_SH_4_BANDS_1_5PCT_NOTHING \
-    for (k = 0; k < SKYLIGHT_SH_4_BANDS_1_5PCT_BLOCK; ++k) total[k] = \
-        skylight_sh_4_bands_1_5pct_spread(0);
+    SKYLIGHT_SH_4_BANDS_1_5PCT_EACH(SKYLIGHT_SH_4_BANDS_1_5PCT_ZERO)
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_ZERO(k) \
+    if ((k) < SKYLIGHT_SH_4_BANDS_1_5PCT_BLOCK) total[k] = skylight_sh_4_bands_1_5pct_spread(0);
 #define SKYLIGHT_SH_4_BANDS_1_5PCT_POLYNOMIAL(start, count, other) \
     { \
         const skylight_sh_4_bands_1_5pct_real *term = rows + ((start) + (count) - 1) * \
@@ -944,24 +1253,36 @@ SKYLIGHT_SH_4_BANDS_1_5PCT_INLINE void skylight_sh_4_bands_1_5pct_sum_block(cons
         const skylight_sh_4_bands_1_5pct_lanes factor = \
             skylight_sh_4_bands_1_5pct_spread(others[other]); \
         skylight_sh_4_bands_1_5pct_lanes sum[SKYLIGHT_SH_4_BANDS_1_5PCT_BLOCK]; \
-        for (k = 0; k < SKYLIGHT_SH_4_BANDS_1_5PCT_BLOCK; ++k) \
-            sum[k] = skylight_sh_4_bands_1_5pct_load(term + k * SKYLIGHT_SH_4_BANDS_1_5PCT_LANES); \
+        SKYLIGHT_SH_4_BANDS_1_5PCT_EACH(SKYLIGHT_SH_4_BANDS_1_5PCT_LAST) \
         for (i = 1; i < (count); ++i) { \
             term -= SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH; \
-            for (k = 0; k < SKYLIGHT_SH_4_BANDS_1_5PCT_BLOCK; ++k) \
-                sum[k] = skylight_sh_4_bands_1_5pct_add(sum[k], power, \
-                                         skylight_sh_4_bands_1_5pct_load(term + k * \
-                                             SKYLIGHT_SH_4_BANDS_1_5PCT_LANES)); \
+            SKYLIGHT_SH_4_BANDS_1_5PCT_EACH(SKYLIGHT_SH_4_BANDS_1_5PCT_STEP_DOWN) \
         } \
-        for (k = 0; k < SKYLIGHT_SH_4_BANDS_1_5PCT_BLOCK; ++k) SKYLIGHT_SH_4_BANDS_1_5PCT_TOTAL(k) \
+        SKYLIGHT_SH_4_BANDS_1_5PCT_EACH(SKYLIGHT_SH_4_BANDS_1_5PCT_TOTAL) \
     }
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_TOTAL(k) total[k] = skylight_sh_4_bands_1_5pct_add(sum[k], \
-    factor, total[k]);
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_LAST(k) \
+    if ((k) < SKYLIGHT_SH_4_BANDS_1_5PCT_BLOCK) sum[k] = skylight_sh_4_bands_1_5pct_load(term + \
+        (k) * SKYLIGHT_SH_4_BANDS_1_5PCT_LANES);
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_STEP_DOWN(k) \
+    if ((k) < SKYLIGHT_SH_4_BANDS_1_5PCT_BLOCK) { \
+        skylight_sh_4_bands_1_5pct_lanes v = skylight_sh_4_bands_1_5pct_load(term + (k) * \
+            SKYLIGHT_SH_4_BANDS_1_5PCT_LANES); \
+        v = skylight_sh_4_bands_1_5pct_add(sum[k], power, v); \
+        SKYLIGHT_SH_4_BANDS_1_5PCT_IN_ORDER(v) \
+        sum[k] = v; \
+    }
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_TOTAL(k) \
+    if ((k) < SKYLIGHT_SH_4_BANDS_1_5PCT_BLOCK) total[k] = skylight_sh_4_bands_1_5pct_add(sum[k], \
+        factor, total[k]);
     SKYLIGHT_SH_4_BANDS_1_5PCT_POLYNOMIALS(SKYLIGHT_SH_4_BANDS_1_5PCT_CLASS,
         SKYLIGHT_SH_4_BANDS_1_5PCT_NOTHING, SKYLIGHT_SH_4_BANDS_1_5PCT_POLYNOMIAL)
 #undef SKYLIGHT_SH_4_BANDS_1_5PCT_CLASS
 #undef SKYLIGHT_SH_4_BANDS_1_5PCT_NOTHING
 #undef SKYLIGHT_SH_4_BANDS_1_5PCT_POLYNOMIAL
+#undef SKYLIGHT_SH_4_BANDS_1_5PCT_SUM
+#undef SKYLIGHT_SH_4_BANDS_1_5PCT_ZERO
+#undef SKYLIGHT_SH_4_BANDS_1_5PCT_LAST
+#undef SKYLIGHT_SH_4_BANDS_1_5PCT_STEP_DOWN
 #undef SKYLIGHT_SH_4_BANDS_1_5PCT_TOTAL
 }
 
@@ -1107,10 +1428,9 @@ static inline int skylight_sh_4_bands_1_5pct_evaluate(const skylight_sh_4_bands_
         sines[SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS];
     skylight_sh_4_bands_1_5pct_real
         sums[SKYLIGHT_SH_4_BANDS_1_5PCT_CLASSES][SKYLIGHT_SH_4_BANDS_1_5PCT_ROOM];
-    skylight_sh_4_bands_1_5pct_real factors[SKYLIGHT_SH_4_BANDS_1_5PCT_CHANNELS *
-        SKYLIGHT_SH_4_BANDS_1_5PCT_CLASSES];
-    skylight_sh_4_bands_1_5pct_real light = SKYLIGHT_SH_4_BANDS_1_5PCT_EXPOSURE, radius = 1;
-    skylight_sh_4_bands_1_5pct_real early[SKYLIGHT_SH_4_BANDS_1_5PCT_EARLY];
+    skylight_sh_4_bands_1_5pct_real factors[SKYLIGHT_SH_4_BANDS_1_5PCT_FACTORS];
+    skylight_sh_4_bands_1_5pct_real light = SKYLIGHT_SH_4_BANDS_1_5PCT_EXPOSURE, radius = 1, cosine,
+        sine;
     int i, all, status = skylight_sh_4_bands_1_5pct_inputs(inputs, azimuth, x);
     if (status == 2) {
         memset(weights, 0, sizeof(float) * SKYLIGHT_SH_4_BANDS_1_5PCT_CHANNELS *
@@ -1121,23 +1441,18 @@ static inline int skylight_sh_4_bands_1_5pct_evaluate(const skylight_sh_4_bands_
         bands = bands < 1 ? 1 : SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS;
         status = 1;
     }
-    /* First what the library computes: calls keep no registers. */
+    skylight_sh_4_bands_1_5pct_circle((skylight_sh_4_bands_1_5pct_real)azimuth, &cosine, &sine);
     radius = skylight_sh_4_bands_1_5pct_sine(x);
-    skylight_sh_4_bands_1_5pct_waves((skylight_sh_4_bands_1_5pct_real)azimuth, radius, cosines,
-        sines);
+    skylight_sh_4_bands_1_5pct_waves(cosine, sine, radius, cosines, sines);
     skylight_sh_4_bands_1_5pct_first(x, first);
     skylight_sh_4_bands_1_5pct_others(x, others);
-    skylight_sh_4_bands_1_5pct_begin_factors(x, early);
+    skylight_sh_4_bands_1_5pct_factors(x, factors);
+    for (i = 0; i < SKYLIGHT_SH_4_BANDS_1_5PCT_FACTORS; ++i) factors[i] *= light;
     all = bands;
-        skylight_sh_4_bands_1_5pct_sum_class(rows, 0, first, others, all, sums[0]);
-    /* Between sums: what has begun above waits for itself, and there is more to do meanwhile. */
-    skylight_sh_4_bands_1_5pct_end_factors(x, early, factors);
-    for (i = 0; i < SKYLIGHT_SH_4_BANDS_1_5PCT_CHANNELS * SKYLIGHT_SH_4_BANDS_1_5PCT_CLASSES; ++i)
-        factors[i] *= light;
     {
 #define SKYLIGHT_SH_4_BANDS_1_5PCT_CLASS(k) skylight_sh_4_bands_1_5pct_sum_class(rows, k, first, \
     others, all, sums[k]);
-        SKYLIGHT_SH_4_BANDS_1_5PCT_OTHER_CLASSES(SKYLIGHT_SH_4_BANDS_1_5PCT_CLASS)
+        SKYLIGHT_SH_4_BANDS_1_5PCT_ALL_CLASSES(SKYLIGHT_SH_4_BANDS_1_5PCT_CLASS)
 #undef SKYLIGHT_SH_4_BANDS_1_5PCT_CLASS
     }
     skylight_sh_4_bands_1_5pct_store(sums, factors, cosines, sines, all, weights);
@@ -1168,121 +1483,350 @@ static inline int skylight_sh_4_bands_1_5pct_evaluate_one(const skylight_sh_4_ba
         azimuths ? azimuths[sun] : SKYLIGHT_SH_4_BANDS_1_5PCT_AZIMUTH,
                                 SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS, weights);
 }
-#if defined(SKYLIGHT_SH_4_BANDS_1_5PCT_LANES) && SKYLIGHT_SH_4_BANDS_1_5PCT_LANES > 4
-/* As many suns side by side as a vector has numbers. */
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS SKYLIGHT_SH_4_BANDS_1_5PCT_LANES
+#ifdef SKYLIGHT_SH_4_BANDS_1_5PCT_LANES
+/* Suns that are evaluated side by side, and the vectors that they take. */
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS 16
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_GROUPS (SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS / \
+    SKYLIGHT_SH_4_BANDS_1_5PCT_LANES)
 
-/* The weights of SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS suns from `start` on, a row a weight; returns the
- * largest status. */
-static inline int skylight_sh_4_bands_1_5pct_evaluate_suns(
-    const skylight_sh_4_bands_1_5pct_real *rows,
-        const float *const inputs[SKYLIGHT_SH_4_BANDS_1_5PCT_AXES],
-    const float *azimuths, int start,
-    float out[SKYLIGHT_SH_4_BANDS_1_5PCT_CHANNELS *
-        SKYLIGHT_SH_4_BANDS_1_5PCT_WEIGHTS][SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS])
+/* Cosines and sines of angles side by side, as skylight_sh_4_bands_1_5pct_circle has them. */
+static inline void skylight_sh_4_bands_1_5pct_circle_suns(const float *angles, float *cosines,
+    float *sines)
 {
-    static const short columns[SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS] =
-        SKYLIGHT_SH_4_BANDS_1_5PCT_COLUMNS;
-    float x[SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS][SKYLIGHT_SH_4_BANDS_1_5PCT_AXES],
-        light[SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS], u[SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS];
-    float others[SKYLIGHT_SH_4_BANDS_1_5PCT_OTHERS][SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS];
-    float factors[SKYLIGHT_SH_4_BANDS_1_5PCT_FACTORS][SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS];
-    float cosines[SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS][SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS],
-        sines[SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS][SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS];
-    skylight_sh_4_bands_1_5pct_lanes
-        sums[SKYLIGHT_SH_4_BANDS_1_5PCT_CLASSES][SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH];
-    int s, i, k, l, m, channel, worst = 0;
+    float rest[SKYLIGHT_SH_4_BANDS_1_5PCT_LANES];
+    uint32_t bits[2][SKYLIGHT_SH_4_BANDS_1_5PCT_LANES], quarter[SKYLIGHT_SH_4_BANDS_1_5PCT_LANES];
+    skylight_sh_4_bands_1_5pct_lanes out[2];
+    int s, far = 0;
+    for (s = 0; s < SKYLIGHT_SH_4_BANDS_1_5PCT_LANES; ++s) far |= !(angles[s] > -1e5f && angles[s] <
+        1e5f);
+    if (far) {
+        for (s = 0; s < SKYLIGHT_SH_4_BANDS_1_5PCT_LANES; ++s)
+            skylight_sh_4_bands_1_5pct_circle(angles[s], cosines + s, sines + s);
+        return;
+    }
+    for (s = 0; s < SKYLIGHT_SH_4_BANDS_1_5PCT_LANES; ++s) {
+        const int quarters = (int)(angles[s] * 0.636619772f + copysignf(0.5f, angles[s]));
+        rest[s] = (float)((double)angles[s] - (double)quarters * 1.5707963267948966);
+        quarter[s] = (uint32_t)quarters;
+    }
+    skylight_sh_4_bands_1_5pct_quarter_suns(skylight_sh_4_bands_1_5pct_load(rest), out);
+    memcpy(bits, out, sizeof bits);
+    for (s = 0; s < SKYLIGHT_SH_4_BANDS_1_5PCT_LANES; ++s) {
+        const uint32_t swapped = (bits[0][s] ^ bits[1][s]) & (0u - (quarter[s] & 1u));
+        bits[0][s] ^= swapped ^ (((quarter[s] + 1u) & 2u) << 30);
+        bits[1][s] ^= swapped ^ ((quarter[s] & 2u) << 30);
+    }
+    memcpy(cosines, bits[0], sizeof bits[0]);
+    memcpy(sines, bits[1], sizeof bits[1]);
+}
+
+/* Reads SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS suns from `start` on: clamped inputs, azimuths, what light
+ * each leaves.
+   Returns the largest status; a sun of status 2 has no light. */
+static inline int skylight_sh_4_bands_1_5pct_inputs_suns(const float *const
+    inputs[SKYLIGHT_SH_4_BANDS_1_5PCT_AXES],
+                                          const float *azimuths, int start,
+                                          float
+                                              x[SKYLIGHT_SH_4_BANDS_1_5PCT_AXES]
+                                              [SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS],
+                                          float *azimuth, float *light)
+{
+    int axis, s, status = 0, strange = 0;
     for (s = 0; s < SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS; ++s) {
-        float given[SKYLIGHT_SH_4_BANDS_1_5PCT_AXES], plus[SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS],
-            minus[SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS];
-        float azimuth = azimuths ? azimuths[start + s] : SKYLIGHT_SH_4_BANDS_1_5PCT_AZIMUTH,
-            radius = 1.0f;
-        int status;
-        for (i = 0; i < SKYLIGHT_SH_4_BANDS_1_5PCT_AXES; ++i) given[i] = inputs[i][start + s];
-        status = skylight_sh_4_bands_1_5pct_inputs(given, azimuth, x[s]);
-        worst = status > worst ? status : worst;
+        azimuth[s] = azimuths ? azimuths[start + s] : SKYLIGHT_SH_4_BANDS_1_5PCT_AZIMUTH;
         light[s] = SKYLIGHT_SH_4_BANDS_1_5PCT_EXPOSURE;
-        if (status == 2) {
-            light[s] = azimuth = 0.0f;
-            for (i = 0; i < SKYLIGHT_SH_4_BANDS_1_5PCT_AXES; ++i) x[s][i] =
-                skylight_sh_4_bands_1_5pct_range[i][0];
+        strange |= skylight_sh_4_bands_1_5pct_kind(azimuth[s]);
+    }
+    for (axis = 0; axis < SKYLIGHT_SH_4_BANDS_1_5PCT_AXES; ++axis) {
+        const float low = skylight_sh_4_bands_1_5pct_range[axis][0],
+            high = skylight_sh_4_bands_1_5pct_range[axis][1];
+        for (s = 0; s < SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS; ++s) {
+            const float v = inputs[axis][start + s], at_least = v < low ? low : v;
+            strange |= skylight_sh_4_bands_1_5pct_kind(v);
+            status |= (v < skylight_sh_4_bands_1_5pct_inside[axis][0]) | (v >
+                skylight_sh_4_bands_1_5pct_inside[axis][1]);
+            x[axis][s] = at_least > high ? high : at_least;
         }
-        radius = skylight_sh_4_bands_1_5pct_sine(x[s]);
-        skylight_sh_4_bands_1_5pct_waves(azimuth, radius, plus, minus);
-        for (m = 0; m < SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS; ++m) {
-            cosines[m][s] = plus[m];
-            sines[m][s] = minus[m];
+    }
+    if (strange) {
+        for (s = 0; s < SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS; ++s) {
+            float given[SKYLIGHT_SH_4_BANDS_1_5PCT_AXES], clamped[SKYLIGHT_SH_4_BANDS_1_5PCT_AXES];
+            int found;
+            for (axis = 0; axis < SKYLIGHT_SH_4_BANDS_1_5PCT_AXES; ++axis) given[axis] =
+                inputs[axis][start + s];
+            found = skylight_sh_4_bands_1_5pct_inputs(given, azimuth[s], clamped);
+            if (found == 2) light[s] = azimuth[s] = 0.0f;
+            for (axis = 0; axis < SKYLIGHT_SH_4_BANDS_1_5PCT_AXES; ++axis)
+                x[axis][s] = found == 2 ? skylight_sh_4_bands_1_5pct_range[axis][0] : clamped[axis];
+            status = found > status ? found : status;
         }
     }
-    for (s = 0; s < SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS; ++s) {
-        float first[SKYLIGHT_SH_4_BANDS_1_5PCT_FIRST], products[SKYLIGHT_SH_4_BANDS_1_5PCT_OTHERS];
-        skylight_sh_4_bands_1_5pct_first(x[s], first);
-        skylight_sh_4_bands_1_5pct_others(x[s], products);
-        u[s] = first[1];
-        for (i = 0; i < SKYLIGHT_SH_4_BANDS_1_5PCT_OTHERS; ++i) others[i][s] = products[i];
-    }
-    for (s = 0; s < SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS; ++s) {
-        float early[SKYLIGHT_SH_4_BANDS_1_5PCT_EARLY], found[SKYLIGHT_SH_4_BANDS_1_5PCT_FACTORS];
-        skylight_sh_4_bands_1_5pct_begin_factors(x[s], early);
-        skylight_sh_4_bands_1_5pct_end_factors(x[s], early, found);
-        for (i = 0; i < SKYLIGHT_SH_4_BANDS_1_5PCT_FACTORS; ++i) factors[i][s] = found[i] *
-            light[s];
-    }
+    return status;
+}
+
+/* The sums of suns side by side: of each class and number of a row, over the products of the other
+   axes' functions, each times a polynomial in powers of u. */
+static inline void skylight_sh_4_bands_1_5pct_sum_suns(
+    const skylight_sh_4_bands_1_5pct_real *rows,
+        const skylight_sh_4_bands_1_5pct_lanes u[SKYLIGHT_SH_4_BANDS_1_5PCT_GROUPS],
+    skylight_sh_4_bands_1_5pct_lanes
+        others[SKYLIGHT_SH_4_BANDS_1_5PCT_GROUPS][SKYLIGHT_SH_4_BANDS_1_5PCT_OTHERS],
+    skylight_sh_4_bands_1_5pct_lanes
+        sums[SKYLIGHT_SH_4_BANDS_1_5PCT_CLASSES][SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH]
+        [SKYLIGHT_SH_4_BANDS_1_5PCT_GROUPS])
+{
+    int i, t;
     for (i = 0; i < SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH; ++i) {
-        const skylight_sh_4_bands_1_5pct_lanes power = skylight_sh_4_bands_1_5pct_load(u);
-        int t;
 #define SKYLIGHT_SH_4_BANDS_1_5PCT_CLASS(which, polynomials) \
     { \
-        skylight_sh_4_bands_1_5pct_lanes total; \
-        polynomials sums[which][i] = total; \
+        const int which_class = (which); \
+        skylight_sh_4_bands_1_5pct_lanes total[SKYLIGHT_SH_4_BANDS_1_5PCT_GROUPS]; \
+        polynomials SKYLIGHT_SH_4_BANDS_1_5PCT_EACH(SKYLIGHT_SH_4_BANDS_1_5PCT_SUM) \
     }
-#define SKYLIGHT_SH_4_BANDS_1_5PCT_NOTHING total = skylight_sh_4_bands_1_5pct_spread(0);
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_SUM(g) \
+    if ((g) < SKYLIGHT_SH_4_BANDS_1_5PCT_GROUPS) sums[which_class][i][g] = total[g];
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_NOTHING \
+    SKYLIGHT_SH_4_BANDS_1_5PCT_EACH(SKYLIGHT_SH_4_BANDS_1_5PCT_ZERO)
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_ZERO(g) \
+    if ((g) < SKYLIGHT_SH_4_BANDS_1_5PCT_GROUPS) total[g] = skylight_sh_4_bands_1_5pct_spread(0);
 #define SKYLIGHT_SH_4_BANDS_1_5PCT_POLYNOMIAL(begin, count, other) \
     { \
         const float *term = rows + ((begin) + (count) - 1) * SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH + i; \
-        skylight_sh_4_bands_1_5pct_lanes sum = skylight_sh_4_bands_1_5pct_spread(*term); \
+        skylight_sh_4_bands_1_5pct_lanes sum[SKYLIGHT_SH_4_BANDS_1_5PCT_GROUPS], number = \
+            skylight_sh_4_bands_1_5pct_spread(*term); \
+        SKYLIGHT_SH_4_BANDS_1_5PCT_EACH(SKYLIGHT_SH_4_BANDS_1_5PCT_LAST) \
         for (t = 1; t < (count); ++t) { \
             term -= SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH; \
-            sum = skylight_sh_4_bands_1_5pct_add(sum, power, \
-                skylight_sh_4_bands_1_5pct_spread(*term)); \
+            number = skylight_sh_4_bands_1_5pct_spread(*term); \
+            SKYLIGHT_SH_4_BANDS_1_5PCT_EACH(SKYLIGHT_SH_4_BANDS_1_5PCT_STEP_DOWN) \
         } \
-        total = skylight_sh_4_bands_1_5pct_add(sum, \
-            skylight_sh_4_bands_1_5pct_load(others[other]), total); \
+        { \
+            const int which_other = (other); \
+            SKYLIGHT_SH_4_BANDS_1_5PCT_EACH(SKYLIGHT_SH_4_BANDS_1_5PCT_TOTAL) \
+        } \
     }
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_LAST(g) \
+    if ((g) < SKYLIGHT_SH_4_BANDS_1_5PCT_GROUPS) sum[g] = number;
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_STEP_DOWN(g) \
+    if ((g) < SKYLIGHT_SH_4_BANDS_1_5PCT_GROUPS) { \
+        skylight_sh_4_bands_1_5pct_lanes v = skylight_sh_4_bands_1_5pct_add(sum[g], u[g], number); \
+        SKYLIGHT_SH_4_BANDS_1_5PCT_IN_ORDER(v) \
+        sum[g] = v; \
+    }
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_TOTAL(g) \
+    if ((g) < SKYLIGHT_SH_4_BANDS_1_5PCT_GROUPS) total[g] = skylight_sh_4_bands_1_5pct_add(sum[g], \
+        others[g][which_other], total[g]);
         SKYLIGHT_SH_4_BANDS_1_5PCT_POLYNOMIALS(SKYLIGHT_SH_4_BANDS_1_5PCT_CLASS,
             SKYLIGHT_SH_4_BANDS_1_5PCT_NOTHING, SKYLIGHT_SH_4_BANDS_1_5PCT_POLYNOMIAL)
 #undef SKYLIGHT_SH_4_BANDS_1_5PCT_CLASS
 #undef SKYLIGHT_SH_4_BANDS_1_5PCT_NOTHING
 #undef SKYLIGHT_SH_4_BANDS_1_5PCT_POLYNOMIAL
+#undef SKYLIGHT_SH_4_BANDS_1_5PCT_SUM
+#undef SKYLIGHT_SH_4_BANDS_1_5PCT_ZERO
+#undef SKYLIGHT_SH_4_BANDS_1_5PCT_LAST
+#undef SKYLIGHT_SH_4_BANDS_1_5PCT_STEP_DOWN
+#undef SKYLIGHT_SH_4_BANDS_1_5PCT_TOTAL
     }
+}
+
+/* Whether all suns share the other axes: a day in one weather. */
+static inline int skylight_sh_4_bands_1_5pct_share(const float *const
+    inputs[SKYLIGHT_SH_4_BANDS_1_5PCT_AXES], int count)
+{
+    int axis, s, differ = 0;
+    for (axis = 1; axis < SKYLIGHT_SH_4_BANDS_1_5PCT_AXES; ++axis)
+        for (s = 1; s < count && !differ; ++s) differ = !(inputs[axis][s] == inputs[axis][0]);
+    return !differ;
+}
+
+/* Sums the rows over the other axes' functions at the first sun once for all: of each class a row
+ * for
+   each power of u. */
+static inline void skylight_sh_4_bands_1_5pct_sum_shared(const skylight_sh_4_bands_1_5pct_real
+    *rows,
+                                          const float *const
+                                              inputs[SKYLIGHT_SH_4_BANDS_1_5PCT_AXES],
+                                          float
+                                              shared[SKYLIGHT_SH_4_BANDS_1_5PCT_SHARED]
+                                              [SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH])
+{
+    static const unsigned short before[SKYLIGHT_SH_4_BANDS_1_5PCT_CLASSES] =
+        SKYLIGHT_SH_4_BANDS_1_5PCT_BEFORE;
+    float given[SKYLIGHT_SH_4_BANDS_1_5PCT_AXES], x[SKYLIGHT_SH_4_BANDS_1_5PCT_AXES],
+        others[SKYLIGHT_SH_4_BANDS_1_5PCT_OTHERS];
+    int axis, i, t;
+    for (axis = 0; axis < SKYLIGHT_SH_4_BANDS_1_5PCT_AXES; ++axis) given[axis] = inputs[axis][0];
+    for (t = 0; t < SKYLIGHT_SH_4_BANDS_1_5PCT_SHARED; ++t)
+        for (i = 0; i < SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH; ++i) shared[t][i] = 0.0f;
+    /* The first axis is another matter: it is inside. */
+    given[0] = skylight_sh_4_bands_1_5pct_range[0][0];
+    if (skylight_sh_4_bands_1_5pct_inputs(given, 0.0f, x) == 2) return;
+    skylight_sh_4_bands_1_5pct_others(x, others);
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_CLASS(which, polynomials) \
+    { \
+        const int place = before[which]; \
+        polynomials \
+    }
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_NOTHING
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_POLYNOMIAL(begin, count, other) \
+    for (t = 0; t < (count); ++t) \
+        for (i = 0; i < SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH; ++i) \
+            shared[place + t][i] += others[other] * rows[((begin) + t) * \
+                SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH + i];
+    SKYLIGHT_SH_4_BANDS_1_5PCT_POLYNOMIALS(SKYLIGHT_SH_4_BANDS_1_5PCT_CLASS,
+        SKYLIGHT_SH_4_BANDS_1_5PCT_NOTHING, SKYLIGHT_SH_4_BANDS_1_5PCT_POLYNOMIAL)
+#undef SKYLIGHT_SH_4_BANDS_1_5PCT_CLASS
+#undef SKYLIGHT_SH_4_BANDS_1_5PCT_NOTHING
+#undef SKYLIGHT_SH_4_BANDS_1_5PCT_POLYNOMIAL
+}
+
+/* The sums of suns side by side that share the other axes: polynomials in powers of u alone. */
+static inline void skylight_sh_4_bands_1_5pct_sum_sharing(
+    float shared[SKYLIGHT_SH_4_BANDS_1_5PCT_SHARED][SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH],
+        const skylight_sh_4_bands_1_5pct_lanes u[SKYLIGHT_SH_4_BANDS_1_5PCT_GROUPS],
+    skylight_sh_4_bands_1_5pct_lanes
+        sums[SKYLIGHT_SH_4_BANDS_1_5PCT_CLASSES][SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH]
+        [SKYLIGHT_SH_4_BANDS_1_5PCT_GROUPS])
+{
+    static const unsigned char longest[SKYLIGHT_SH_4_BANDS_1_5PCT_CLASSES] =
+        SKYLIGHT_SH_4_BANDS_1_5PCT_LONGEST;
+    int c, i, t, row = 0;
+    for (c = 0; c < SKYLIGHT_SH_4_BANDS_1_5PCT_CLASSES; ++c) {
+        const int last = row + longest[c] - 1;
+        for (i = 0; i < SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH; ++i) {
+            skylight_sh_4_bands_1_5pct_lanes sum[SKYLIGHT_SH_4_BANDS_1_5PCT_GROUPS];
+            skylight_sh_4_bands_1_5pct_lanes number = skylight_sh_4_bands_1_5pct_spread(last < row ?
+                0.0f : shared[last][i]);
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_LAST(g) \
+    if ((g) < SKYLIGHT_SH_4_BANDS_1_5PCT_GROUPS) sum[g] = number;
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_STEP_DOWN(g) \
+    if ((g) < SKYLIGHT_SH_4_BANDS_1_5PCT_GROUPS) sum[g] = skylight_sh_4_bands_1_5pct_add(sum[g], \
+        u[g], number);
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_SUM(g) \
+    if ((g) < SKYLIGHT_SH_4_BANDS_1_5PCT_GROUPS) sums[c][i][g] = sum[g];
+            SKYLIGHT_SH_4_BANDS_1_5PCT_EACH(SKYLIGHT_SH_4_BANDS_1_5PCT_LAST)
+            for (t = last - 1; t >= row; --t) {
+                number = skylight_sh_4_bands_1_5pct_spread(shared[t][i]);
+                SKYLIGHT_SH_4_BANDS_1_5PCT_EACH(SKYLIGHT_SH_4_BANDS_1_5PCT_STEP_DOWN)
+            }
+            SKYLIGHT_SH_4_BANDS_1_5PCT_EACH(SKYLIGHT_SH_4_BANDS_1_5PCT_SUM)
+#undef SKYLIGHT_SH_4_BANDS_1_5PCT_LAST
+#undef SKYLIGHT_SH_4_BANDS_1_5PCT_STEP_DOWN
+#undef SKYLIGHT_SH_4_BANDS_1_5PCT_SUM
+        }
+        row = last + 1;
+    }
+}
+
+/* The weights of SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS suns from `start` on, a row a weight, rows `step`
+ * apart; returns the
+   largest status. `shared` are the sums over the other axes where all suns share them,
+       or nothing. */
+static inline int skylight_sh_4_bands_1_5pct_evaluate_suns(const skylight_sh_4_bands_1_5pct_real
+    *rows,
+                                            const float *const
+                                                inputs[SKYLIGHT_SH_4_BANDS_1_5PCT_AXES],
+                                            const float *azimuths, int start,
+                                            float (*shared)[SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH],
+                                                float *out,
+                                            size_t step)
+{
+    static const short columns[SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS] =
+        SKYLIGHT_SH_4_BANDS_1_5PCT_COLUMNS;
+    float given[SKYLIGHT_SH_4_BANDS_1_5PCT_AXES][SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS],
+        azimuth[SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS];
+    float light[SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS], cosine[SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS],
+        sine[SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS];
+    skylight_sh_4_bands_1_5pct_lanes u[SKYLIGHT_SH_4_BANDS_1_5PCT_GROUPS],
+        others[SKYLIGHT_SH_4_BANDS_1_5PCT_GROUPS][SKYLIGHT_SH_4_BANDS_1_5PCT_OTHERS];
+    skylight_sh_4_bands_1_5pct_lanes
+        factors[SKYLIGHT_SH_4_BANDS_1_5PCT_GROUPS][SKYLIGHT_SH_4_BANDS_1_5PCT_FACTORS];
+    skylight_sh_4_bands_1_5pct_lanes
+        cosines[SKYLIGHT_SH_4_BANDS_1_5PCT_GROUPS][SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS];
+    skylight_sh_4_bands_1_5pct_lanes
+        sines[SKYLIGHT_SH_4_BANDS_1_5PCT_GROUPS][SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS];
+    skylight_sh_4_bands_1_5pct_lanes
+        sums[SKYLIGHT_SH_4_BANDS_1_5PCT_CLASSES][SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH]
+        [SKYLIGHT_SH_4_BANDS_1_5PCT_GROUPS];
+    const int status = skylight_sh_4_bands_1_5pct_inputs_suns(inputs, azimuths, start, given,
+        azimuth, light);
+    int g, i, k, l, m, channel;
+    for (g = 0; g < SKYLIGHT_SH_4_BANDS_1_5PCT_GROUPS; ++g) {
+        const int at = g * SKYLIGHT_SH_4_BANDS_1_5PCT_LANES;
+        skylight_sh_4_bands_1_5pct_lanes x[SKYLIGHT_SH_4_BANDS_1_5PCT_AXES],
+            first[SKYLIGHT_SH_4_BANDS_1_5PCT_FIRST];
+        skylight_sh_4_bands_1_5pct_lanes radius = skylight_sh_4_bands_1_5pct_spread(1);
+        for (i = 0; i < SKYLIGHT_SH_4_BANDS_1_5PCT_AXES; ++i) x[i] =
+            skylight_sh_4_bands_1_5pct_load(given[i] + at);
+        skylight_sh_4_bands_1_5pct_circle_suns(azimuth + at, cosine + at, sine + at);
+        radius = skylight_sh_4_bands_1_5pct_sine_suns(x);
+        skylight_sh_4_bands_1_5pct_waves_suns(skylight_sh_4_bands_1_5pct_load(cosine + at),
+            skylight_sh_4_bands_1_5pct_load(sine + at), radius,
+                               cosines[g], sines[g]);
+        skylight_sh_4_bands_1_5pct_first_suns(x, first);
+        u[g] = first[1];
+        skylight_sh_4_bands_1_5pct_others_suns(x, others[g]);
+        skylight_sh_4_bands_1_5pct_factors_suns(x, factors[g]);
+        for (i = 0; i < SKYLIGHT_SH_4_BANDS_1_5PCT_FACTORS; ++i) factors[g][i] *=
+            skylight_sh_4_bands_1_5pct_load(light + at);
+    }
+    if (shared)
+        skylight_sh_4_bands_1_5pct_sum_sharing(shared, u, sums);
+    else
+        skylight_sh_4_bands_1_5pct_sum_suns(rows, u, others, sums);
     for (channel = 0; channel < SKYLIGHT_SH_4_BANDS_1_5PCT_CHANNELS; ++channel) {
         for (l = 0; l < SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS; ++l) {
-            float(*const w)[SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS] = out + channel *
-                SKYLIGHT_SH_4_BANDS_1_5PCT_WEIGHTS + l * (l + 1);
+            float *const w = out + (size_t)(channel * SKYLIGHT_SH_4_BANDS_1_5PCT_WEIGHTS + l * (l +
+                1)) * step;
             for (m = 0; m <= l; ++m) {
-                skylight_sh_4_bands_1_5pct_lanes v = skylight_sh_4_bands_1_5pct_spread(0);
-                if (columns[l] >= 0) {
-                    for (k = 0; k < SKYLIGHT_SH_4_BANDS_1_5PCT_CLASSES; ++k)
-                        v = skylight_sh_4_bands_1_5pct_add(
-                            skylight_sh_4_bands_1_5pct_load(factors[channel *
-                                SKYLIGHT_SH_4_BANDS_1_5PCT_CLASSES + k]),
-                            sums[k][columns[l] + m], v);
-                }
-                {
-                    const skylight_sh_4_bands_1_5pct_lanes plus = v *
-                        skylight_sh_4_bands_1_5pct_load(cosines[m]);
-                    const skylight_sh_4_bands_1_5pct_lanes minus = v *
-                        skylight_sh_4_bands_1_5pct_load(sines[m]);
-                    memcpy(w[-m], &minus, sizeof minus);
-                    memcpy(w[m], &plus, sizeof plus);
+                for (g = 0; g < SKYLIGHT_SH_4_BANDS_1_5PCT_GROUPS; ++g) {
+                    skylight_sh_4_bands_1_5pct_lanes v = skylight_sh_4_bands_1_5pct_spread(0),
+                        turned;
+                    if (columns[l] >= 0) {
+                        for (k = 0; k < SKYLIGHT_SH_4_BANDS_1_5PCT_CLASSES; ++k)
+                            v = skylight_sh_4_bands_1_5pct_add(factors[g]
+                                [SKYLIGHT_SH_4_BANDS_1_5PCT_FACTOR(channel, k)],
+                                                sums[k][columns[l] + m][g], v);
+                    }
+                    turned = v * sines[g][m];
+                    memcpy(w - (size_t)m * step + g * SKYLIGHT_SH_4_BANDS_1_5PCT_LANES, &turned,
+                        sizeof turned);
+                    turned = v * cosines[g][m];
+                    memcpy(w + (size_t)m * step + g * SKYLIGHT_SH_4_BANDS_1_5PCT_LANES, &turned,
+                        sizeof turned);
                 }
             }
         }
     }
     (void)k;
-    return worst;
+    return status;
+}
+
+/* Four rows of four numbers to columns, `step` apart. */
+static inline void skylight_sh_4_bands_1_5pct_transpose(const float *from, size_t step, float *to,
+    size_t between)
+{
+    const skylight_sh_4_bands_1_5pct_four a = skylight_sh_4_bands_1_5pct_load_four(from),
+        b = skylight_sh_4_bands_1_5pct_load_four(from + step);
+    const skylight_sh_4_bands_1_5pct_four c = skylight_sh_4_bands_1_5pct_load_four(from + 2 * step);
+    const skylight_sh_4_bands_1_5pct_four d = skylight_sh_4_bands_1_5pct_load_four(from + 3 * step);
+    const skylight_sh_4_bands_1_5pct_four ab = SKYLIGHT_SH_4_BANDS_1_5PCT_PICK(a, b, 0, 4, 1, 5);
+    const skylight_sh_4_bands_1_5pct_four cd = SKYLIGHT_SH_4_BANDS_1_5PCT_PICK(c, d, 0, 4, 1, 5);
+    const skylight_sh_4_bands_1_5pct_four ab_2 = SKYLIGHT_SH_4_BANDS_1_5PCT_PICK(a, b, 2, 6, 3, 7);
+    const skylight_sh_4_bands_1_5pct_four cd_2 = SKYLIGHT_SH_4_BANDS_1_5PCT_PICK(c, d, 2, 6, 3, 7);
+    skylight_sh_4_bands_1_5pct_keep(to, SKYLIGHT_SH_4_BANDS_1_5PCT_PICK(ab, cd, 0, 1, 4, 5));
+    skylight_sh_4_bands_1_5pct_keep(to + between, SKYLIGHT_SH_4_BANDS_1_5PCT_PICK(ab, cd, 2, 3, 6,
+        7));
+    skylight_sh_4_bands_1_5pct_keep(to + 2 * between, SKYLIGHT_SH_4_BANDS_1_5PCT_PICK(ab_2, cd_2, 0,
+        1, 4, 5));
+    skylight_sh_4_bands_1_5pct_keep(to + 3 * between, SKYLIGHT_SH_4_BANDS_1_5PCT_PICK(ab_2, cd_2, 2,
+        3, 6, 7));
 }
 #endif
+
+/* Numbers of one sun's weights. */
+#define SKYLIGHT_SH_4_BANDS_1_5PCT_NUMBERS (SKYLIGHT_SH_4_BANDS_1_5PCT_CHANNELS * \
+    SKYLIGHT_SH_4_BANDS_1_5PCT_WEIGHTS)
 
 /* Evaluates `count` suns from arrays, one an axis, and one of azimuths (or none, where the table
    fixes it); returns the largest status. */
@@ -1292,8 +1836,32 @@ static inline int skylight_sh_4_bands_1_5pct_evaluate_batch(
     const float *azimuths, float
         (*weights)[SKYLIGHT_SH_4_BANDS_1_5PCT_CHANNELS][SKYLIGHT_SH_4_BANDS_1_5PCT_WEIGHTS])
 {
-    int s, status, worst = 0;
-    for (s = 0; s < count; ++s) {
+    int s = 0, status, worst = 0;
+#ifdef SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS
+    float shared[SKYLIGHT_SH_4_BANDS_1_5PCT_SHARED][SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH];
+    const int share = count >= SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS &&
+        skylight_sh_4_bands_1_5pct_share(inputs, count);
+    if (share) skylight_sh_4_bands_1_5pct_sum_shared(rows, inputs, shared);
+    for (; s + SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS <= count; s += SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS) {
+        float out[SKYLIGHT_SH_4_BANDS_1_5PCT_NUMBERS * SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS];
+        int i, k;
+        status = skylight_sh_4_bands_1_5pct_evaluate_suns(rows, inputs, azimuths, s,
+            share ? shared : 0, out,
+                                           SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS);
+        worst = status > worst ? status : worst;
+        /* In fours; the last may overlap those before. */
+        for (i = 0; i < SKYLIGHT_SH_4_BANDS_1_5PCT_NUMBERS; i += 4) {
+            const int at = i + 4 > SKYLIGHT_SH_4_BANDS_1_5PCT_NUMBERS ?
+                SKYLIGHT_SH_4_BANDS_1_5PCT_NUMBERS - 4 : i;
+            for (k = 0; k < SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS; k += 4)
+                skylight_sh_4_bands_1_5pct_transpose(out + at * SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS + k,
+                    SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS,
+                                      &weights[s + k][0][0] + at,
+                                          SKYLIGHT_SH_4_BANDS_1_5PCT_NUMBERS);
+        }
+    }
+#endif
+    for (; s < count; ++s) {
         status = skylight_sh_4_bands_1_5pct_evaluate_one(rows, inputs, azimuths, s, weights[s]);
         worst = status > worst ? status : worst;
     }
@@ -1310,14 +1878,32 @@ static inline int skylight_sh_4_bands_1_5pct_evaluate_columns(const skylight_sh_
     const size_t step = count > 0 ? (size_t)count : 0;
     int s = 0, i, status, worst = 0;
 #ifdef SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS
-    for (; s + SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS <= count; s += SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS) {
-        float out[SKYLIGHT_SH_4_BANDS_1_5PCT_CHANNELS *
-            SKYLIGHT_SH_4_BANDS_1_5PCT_WEIGHTS][SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS];
-        status = skylight_sh_4_bands_1_5pct_evaluate_suns(rows, inputs, azimuths, s, out);
-        worst = status > worst ? status : worst;
-        for (i = 0; i < SKYLIGHT_SH_4_BANDS_1_5PCT_CHANNELS * SKYLIGHT_SH_4_BANDS_1_5PCT_WEIGHTS;
-            ++i)
+    float shared[SKYLIGHT_SH_4_BANDS_1_5PCT_SHARED][SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH];
+    const int share = count >= SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS &&
+        skylight_sh_4_bands_1_5pct_share(inputs, count);
+    if (share) skylight_sh_4_bands_1_5pct_sum_shared(rows, inputs, shared);
+#if SKYLIGHT_SH_4_BANDS_1_5PCT_LANES == 8
+    /* Four times as many at once: rows far apart cost time for each visit, not for what is stored.
+     * */
+    for (; s + 4 * SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS <= count; s += 4 *
+        SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS) {
+        float out[SKYLIGHT_SH_4_BANDS_1_5PCT_NUMBERS][4 * SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS];
+        for (i = 0; i < 4; ++i) {
+            status = skylight_sh_4_bands_1_5pct_evaluate_suns(rows, inputs, azimuths,
+                s + i * SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS,
+                                               share ? shared : 0,
+                                                   out[0] + i * SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS,
+                                                   4 * SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS);
+            worst = status > worst ? status : worst;
+        }
+        for (i = 0; i < SKYLIGHT_SH_4_BANDS_1_5PCT_NUMBERS; ++i)
             memcpy(weights + (size_t)i * step + (size_t)s, out[i], sizeof out[i]);
+    }
+#endif
+    for (; s + SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS <= count; s += SKYLIGHT_SH_4_BANDS_1_5PCT_SUNS) {
+        status = skylight_sh_4_bands_1_5pct_evaluate_suns(rows, inputs, azimuths, s,
+            share ? shared : 0, weights + s, step);
+        worst = status > worst ? status : worst;
     }
 #endif
     while (s < count) {
@@ -1330,8 +1916,7 @@ static inline int skylight_sh_4_bands_1_5pct_evaluate_columns(const skylight_sh_
                 some[k]);
             worst = status > worst ? status : worst;
         }
-        for (i = 0; i < SKYLIGHT_SH_4_BANDS_1_5PCT_CHANNELS * SKYLIGHT_SH_4_BANDS_1_5PCT_WEIGHTS;
-            ++i)
+        for (i = 0; i < SKYLIGHT_SH_4_BANDS_1_5PCT_NUMBERS; ++i)
             for (k = 0; k < now; ++k)
                 weights[(size_t)i * step + (size_t)(s + k)] =
                     some[k][i / SKYLIGHT_SH_4_BANDS_1_5PCT_WEIGHTS][i %
@@ -1380,7 +1965,7 @@ static inline double skylight_sh_4_bands_1_5pct_mixed_double(double
     double sum = 0.0;
     int k;
     for (k = 0; k < SKYLIGHT_SH_4_BANDS_1_5PCT_CLASSES; ++k)
-        sum += factors[channel * SKYLIGHT_SH_4_BANDS_1_5PCT_CLASSES + k] * sums[k][column];
+        sum += factors[SKYLIGHT_SH_4_BANDS_1_5PCT_FACTOR(channel, k)] * sums[k][column];
     return sum;
 }
 
@@ -1404,7 +1989,7 @@ static inline int skylight_sh_4_bands_1_5pct_evaluate_gradient(
     double sloped[SKYLIGHT_SH_4_BANDS_1_5PCT_CLASSES][SKYLIGHT_SH_4_BANDS_1_5PCT_WIDTH];
     double powers[SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS], power_slopes[SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS];
     skylight_sh_4_bands_1_5pct_real cosines[SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS],
-        sines[SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS];
+        sines[SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS], of_x, of_y;
     int axis, channel, i, l, m, sunk = 0;
     const int status =
         skylight_sh_4_bands_1_5pct_evaluate(rows, inputs, azimuth, SKYLIGHT_SH_4_BANDS_1_5PCT_BANDS,
@@ -1436,7 +2021,8 @@ static inline int skylight_sh_4_bands_1_5pct_evaluate_gradient(
             power_slopes[m] = (double)m * powers[m - 1] * sine[1];
         }
     }
-    skylight_sh_4_bands_1_5pct_waves((skylight_sh_4_bands_1_5pct_real)azimuth, 1, cosines, sines);
+    skylight_sh_4_bands_1_5pct_circle((skylight_sh_4_bands_1_5pct_real)azimuth, &of_x, &of_y);
+    skylight_sh_4_bands_1_5pct_waves(of_x, of_y, 1, cosines, sines);
     skylight_sh_4_bands_1_5pct_sum_double(rows, functions, sums);
     for (axis = 0; axis < SKYLIGHT_SH_4_BANDS_1_5PCT_AXES; ++axis) {
         double kept[SKYLIGHT_SH_4_BANDS_1_5PCT_MOST];

@@ -31,11 +31,11 @@
  *   Define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_EXPOSURE before this file (where it holds the table)
  *   to multiply all weights (1 by default).
  *
- * Accuracy, as shipped: E_mean 0.0963 %, E_max 0.44 % of the least luminance of the same sky, at
+ * Accuracy, as shipped: E_mean 0.0898 %, E_max 0.417 % of the least luminance of the same sky, at
  * azimuth 0.
- * The expansion rings: the least value it takes, over all directions and measured sets, is -12.7 %
+ * The expansion rings: the least value it takes, over all directions and measured sets, is -12.6 %
  * of its largest in the same set; the window below tames it.
- * Memory: 2303 bytes of constants, packed into few bytes (a fast table takes more and less time).
+ * Memory: 2294 bytes of constants, packed into few bytes (a fast table takes more and less time).
  *
  * Provenance
  *   skylight-sh 0.1.0, config preetham 08540d17388f71b0, table 7-bands-0.1pct-packed
@@ -65,7 +65,7 @@ before."
 #endif
 
 #ifndef SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_H
-#define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_H 0xcae3049f
+#define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_H 0xee78cabb
 
 #include <math.h>
 #include <stdint.h>
@@ -91,8 +91,8 @@ before."
 #define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_CHANNELS 3
 #define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_AXES 2
 #define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_UNIT "cd/m2"
-#define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_E_MEAN 9.633000e-04
-#define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_E_MAX 4.397000e-03
+#define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_E_MEAN 8.979000e-04
+#define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_E_MAX 4.170000e-03
 #define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_UNPACKED 2692
 #define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_SUN_ZENITH_MIN 0.0f
 #define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_SUN_ZENITH_MAX 1.57079637f
@@ -179,7 +179,7 @@ SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_API void skylight_sh_7_bands_0_1pct_packed_win
     float
     weights[SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_CHANNELS][SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_WEIGHTS]);
 
-#elif SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_H != 0xcae3049f
+#elif SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_H != 0xee78cabb
 #error "Another table has the prefix skylight_sh_7_bands_0_1pct_packed_7_bands_0_1pct_packed \
 already: export one of them under a prefix of its own."
 #endif /* SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_H */
@@ -188,6 +188,138 @@ already: export one of them under a prefix of its own."
     defined(SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_IMPLEMENTATION)) && \
     !defined(SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_DEFINED)
 #define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_DEFINED
+
+/* Numbers side by side where the compiler has vector types: as many as the processor's registers
+   hold, and four. */
+#if defined(__GNUC__) && (defined(__SSE__) || defined(__ARM_NEON) || defined(__ALTIVEC__) || \
+                          defined(__wasm_simd128__) || defined(__loongarch_sx))
+#if defined(__AVX512F__)
+#define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_LANES 16
+#elif defined(__AVX__)
+#define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_LANES 8
+#else
+#define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_LANES 4
+#endif
+#endif
+/* What is worth its place in every caller; what lies at the start of a cache line. */
+#ifdef __GNUC__
+#define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_INLINE static inline __attribute__((always_inline))
+#define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_ALIGNED __attribute__((aligned(64)))
+#else
+#define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_INLINE static inline
+#define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_ALIGNED
+#endif
+#ifdef SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_LANES
+#ifdef __FMA__
+/* One operation for a product and a sum, which standard C may not choose by itself. */
+#include <immintrin.h>
+#endif
+typedef float skylight_sh_7_bands_0_1pct_packed_lanes __attribute__((vector_size(4 *
+    SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_LANES)));
+typedef float skylight_sh_7_bands_0_1pct_packed_four __attribute__((vector_size(16)));
+typedef int skylight_sh_7_bands_0_1pct_packed_order __attribute__((vector_size(16)));
+
+/* The same number in all places: v - 0 is v, which 0 + v need not be. */
+static inline skylight_sh_7_bands_0_1pct_packed_lanes skylight_sh_7_bands_0_1pct_packed_spread(float
+    v)
+{
+    const skylight_sh_7_bands_0_1pct_packed_lanes zeros = {0};
+    return v - zeros;
+}
+
+static inline skylight_sh_7_bands_0_1pct_packed_lanes skylight_sh_7_bands_0_1pct_packed_load(const
+    float *from)
+{
+    skylight_sh_7_bands_0_1pct_packed_lanes v;
+    memcpy(&v, from, sizeof v);
+    return v;
+}
+
+/* a * b + c. */
+static inline skylight_sh_7_bands_0_1pct_packed_lanes
+    skylight_sh_7_bands_0_1pct_packed_add(skylight_sh_7_bands_0_1pct_packed_lanes a,
+    skylight_sh_7_bands_0_1pct_packed_lanes b,
+                                                skylight_sh_7_bands_0_1pct_packed_lanes c)
+{
+#if defined(__FMA__) && SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_LANES == 16
+    return _mm512_fmadd_ps(a, b, c);
+#elif defined(__FMA__) && SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_LANES == 8
+    return _mm256_fmadd_ps(a, b, c);
+#else
+    return a * b + c;
+#endif
+}
+
+static inline skylight_sh_7_bands_0_1pct_packed_four
+    skylight_sh_7_bands_0_1pct_packed_spread_four(float v)
+{
+    const skylight_sh_7_bands_0_1pct_packed_four zeros = {0};
+    return v - zeros;
+}
+
+static inline skylight_sh_7_bands_0_1pct_packed_four
+    skylight_sh_7_bands_0_1pct_packed_load_four(const float *from)
+{
+    skylight_sh_7_bands_0_1pct_packed_four v;
+    memcpy(&v, from, sizeof v);
+    return v;
+}
+
+static inline skylight_sh_7_bands_0_1pct_packed_four
+    skylight_sh_7_bands_0_1pct_packed_add_four(skylight_sh_7_bands_0_1pct_packed_four a,
+    skylight_sh_7_bands_0_1pct_packed_four b,
+                                                    skylight_sh_7_bands_0_1pct_packed_four c)
+{
+#ifdef __FMA__
+    return _mm_fmadd_ps(a, b, c);
+#else
+    return a * b + c;
+#endif
+}
+
+/* Numbers side by side; where there are fewer than four, the last again. */
+static inline skylight_sh_7_bands_0_1pct_packed_four
+    skylight_sh_7_bands_0_1pct_packed_quadruple(float a, float b, float c, float d)
+{
+    const skylight_sh_7_bands_0_1pct_packed_four v = {a, b, c, d};
+    return v;
+}
+
+static inline skylight_sh_7_bands_0_1pct_packed_four skylight_sh_7_bands_0_1pct_packed_triple(float
+    a, float b, float c)
+{
+    return skylight_sh_7_bands_0_1pct_packed_quadruple(a, b, c, c);
+}
+
+static inline skylight_sh_7_bands_0_1pct_packed_four skylight_sh_7_bands_0_1pct_packed_pair(float a,
+    float b)
+{
+    return skylight_sh_7_bands_0_1pct_packed_quadruple(a, b, b, b);
+}
+
+static inline void skylight_sh_7_bands_0_1pct_packed_keep(float *to,
+    skylight_sh_7_bands_0_1pct_packed_four v)
+{
+    memcpy(to, &v, sizeof v);
+}
+
+/* Four of the eight numbers of two vectors. */
+#ifdef __clang__
+#define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_PICK(v, w, a, b, c, d) __builtin_shufflevector(v, w, a, \
+    b, c, d)
+#else
+#define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_PICK(v, w, a, b, c, d) \
+    skylight_sh_7_bands_0_1pct_packed_pick(v, w, a, b, c, d)
+static inline skylight_sh_7_bands_0_1pct_packed_four
+    skylight_sh_7_bands_0_1pct_packed_pick(skylight_sh_7_bands_0_1pct_packed_four v,
+    skylight_sh_7_bands_0_1pct_packed_four w, int a,
+                                                int b, int c, int d)
+{
+    const skylight_sh_7_bands_0_1pct_packed_order order = {a, b, c, d};
+    return __builtin_shuffle(v, w, order);
+}
+#endif
+#endif
 
 typedef float skylight_sh_7_bands_0_1pct_packed_real;
 
@@ -220,8 +352,11 @@ static const skylight_sh_7_bands_0_1pct_packed_real
 /* Classes; a row's numbers, one a sum, and those of the first 1, 2, ..
    bands; room for a class's sums. */
 #define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_CLASSES 3
-#define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_OTHER_CLASSES(CLASS) CLASS(1) CLASS(2)
-#define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_FACTORS 9
+#define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_ALL_CLASSES(CLASS) CLASS(0) CLASS(1) CLASS(2)
+/* What multiplies the sum of a class for a channel; the channels side by
+   side, in fours. */
+#define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_FACTORS 12
+#define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_FACTOR(channel, class_) ((class_) * 4 + (channel))
 #define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_WIDTH 28
 #define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_WIDTHS { 1, 3, 6, 10, 15, 21, 28 }
 #define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_ROOM 32
@@ -277,138 +412,138 @@ static const skylight_sh_7_bands_0_1pct_packed_real
 /* Runs of numbers, one a product of the other axes' functions, and their
    profiles; what one step is worth. */
 #define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_RUNS 7
-#define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_RUN_PROFILE { 5, 3, -1, -7, -14, -17, -20 }
-#define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_CLASS_PROFILE { -5, -12, -10 }
-#define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_STEP 4.10079956e-05f
+#define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_RUN_PROFILE { 5, 3, -1, -7, -14, -18, -20 }
+#define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_CLASS_PROFILE { -4, -12, -9 }
+#define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_STEP 4.19616699e-05f
 
 /* Whole numbers as Rice codes. */
-static const unsigned char skylight_sh_7_bands_0_1pct_packed_stream[2033] = {
-    199, 227, 250, 86, 42, 255, 191, 243, 101, 111, 40, 23, 120, 129, 112, 148, 255, 191, 188, 236,
-    151, 7, 114, 231, 49, 245, 127, 22, 151, 180, 40, 171, 245, 63, 110, 201, 27, 247, 47, 118, 185,
-    199, 235, 127, 108, 225, 218, 138, 232, 255, 41, 137, 210, 191, 184, 159, 154, 88, 245, 99, 32,
-    254, 127, 7, 76, 95, 241, 121, 60, 138, 213, 255, 64, 255, 46, 50, 183, 247, 255, 186, 151, 169,
-    175, 253, 248, 232, 49, 136, 235, 250, 214, 57, 164, 159, 175, 183, 245, 31, 16, 227, 225, 214,
-    211, 63, 139, 218, 9, 228, 116, 90, 139, 195, 171, 215, 30, 131, 19, 115, 153, 117, 230, 138,
-    90, 24, 167, 155, 224, 196, 95, 229, 10, 99, 175, 143, 0, 36, 96, 232, 159, 40, 110, 136, 249,
-    121, 221, 157, 168, 11, 57, 210, 218, 115, 175, 108, 166, 7, 38, 54, 120, 103, 95, 22, 10, 175,
-    163, 181, 130, 231, 20, 203, 136, 22, 84, 236, 30, 196, 183, 178, 222, 24, 201, 182, 189, 177,
-    68, 94, 238, 27, 86, 22, 182, 161, 99, 185, 140, 113, 191, 153, 41, 166, 238, 218, 183, 44, 21,
-    45, 147, 247, 133, 81, 206, 42, 156, 229, 207, 132, 221, 160, 102, 100, 224, 221, 23, 54, 172,
-    157, 253, 22, 209, 158, 32, 109, 109, 99, 75, 7, 8, 246, 235, 37, 232, 71, 81, 76, 189, 181,
-    230, 208, 126, 213, 49, 12, 175, 233, 134, 224, 177, 236, 168, 156, 153, 219, 25, 213, 63, 10,
-    83, 67, 109, 155, 54, 164, 72, 169, 153, 247, 244, 20, 78, 173, 203, 78, 216, 108, 59, 19, 158,
-    158, 10, 47, 180, 119, 185, 57, 123, 54, 237, 101, 198, 230, 97, 106, 88, 16, 76, 173, 184, 216,
-    72, 63, 131, 127, 191, 23, 254, 18, 70, 3, 233, 137, 193, 54, 43, 67, 137, 26, 190, 181, 16,
-    241, 42, 118, 96, 70, 148, 167, 202, 55, 78, 110, 84, 82, 247, 159, 88, 177, 205, 192, 85, 64,
-    4, 87, 134, 85, 46, 203, 47, 222, 81, 156, 90, 65, 179, 182, 149, 198, 232, 154, 140, 208, 247,
-    51, 35, 136, 5, 200, 2, 133, 103, 228, 61, 111, 166, 40, 183, 158, 194, 96, 209, 32, 227, 240,
-    150, 30, 74, 153, 72, 119, 213, 138, 72, 140, 122, 69, 3, 102, 247, 143, 85, 150, 69, 152, 43,
-    4, 138, 213, 204, 72, 104, 234, 250, 45, 163, 177, 210, 164, 165, 49, 255, 236, 163, 244, 71,
-    83, 221, 16, 1, 75, 14, 127, 29, 71, 178, 70, 201, 240, 206, 43, 36, 173, 173, 116, 233, 0, 113,
-    223, 245, 218, 252, 249, 33, 230, 93, 242, 227, 152, 162, 170, 132, 142, 159, 27, 79, 206, 203,
-    67, 142, 47, 119, 74, 176, 110, 67, 105, 143, 219, 154, 156, 68, 106, 179, 6, 171, 38, 130, 118,
-    246, 232, 5, 178, 170, 236, 209, 234, 109, 254, 20, 201, 178, 3, 152, 222, 113, 156, 239, 131,
-    93, 80, 230, 198, 185, 21, 220, 144, 13, 237, 107, 17, 177, 24, 249, 75, 227, 31, 155, 176, 115,
-    223, 149, 54, 216, 219, 213, 158, 110, 43, 146, 198, 168, 205, 6, 195, 86, 28, 131, 245, 76, 85,
-    156, 12, 167, 102, 164, 236, 77, 116, 23, 7, 237, 139, 63, 53, 202, 144, 150, 159, 228, 197,
-    251, 188, 29, 123, 6, 200, 20, 245, 87, 233, 121, 154, 151, 98, 193, 247, 31, 102, 21, 12, 168,
-    76, 9, 249, 82, 122, 156, 113, 243, 145, 132, 24, 166, 99, 86, 26, 92, 208, 6, 16, 22, 97, 217,
-    234, 8, 33, 27, 122, 115, 146, 225, 109, 193, 153, 10, 163, 249, 16, 23, 209, 50, 71, 222, 151,
-    197, 197, 58, 165, 205, 102, 199, 234, 69, 34, 240, 229, 68, 100, 93, 81, 131, 135, 32, 101, 63,
-    209, 241, 52, 96, 94, 46, 61, 35, 111, 132, 205, 137, 19, 115, 111, 41, 208, 36, 195, 158, 122,
-    18, 56, 4, 97, 69, 25, 27, 104, 224, 92, 18, 13, 141, 232, 135, 25, 99, 208, 27, 0, 163, 152, 6,
-    64, 164, 162, 216, 191, 82, 85, 133, 100, 199, 218, 79, 182, 177, 13, 69, 121, 217, 4, 21, 174,
-    186, 103, 176, 72, 190, 50, 84, 120, 71, 210, 216, 74, 183, 206, 32, 199, 195, 209, 173, 163,
-    246, 127, 195, 158, 62, 199, 122, 161, 186, 51, 145, 191, 135, 79, 173, 107, 201, 130, 84, 227,
-    143, 89, 215, 112, 248, 165, 225, 238, 123, 71, 144, 201, 194, 182, 179, 155, 51, 214, 164, 95,
-    228, 195, 90, 179, 239, 183, 138, 129, 155, 125, 103, 209, 103, 127, 176, 44, 244, 250, 32, 22,
-    120, 247, 32, 44, 195, 189, 138, 183, 204, 164, 254, 221, 252, 63, 169, 125, 133, 221, 65, 76,
-    80, 248, 189, 243, 89, 250, 237, 77, 11, 105, 104, 184, 47, 250, 132, 180, 219, 96, 94, 247,
-    225, 125, 62, 74, 102, 47, 32, 107, 109, 152, 176, 87, 254, 176, 30, 37, 123, 227, 211, 125,
-    243, 235, 9, 197, 191, 193, 53, 92, 245, 81, 92, 242, 59, 215, 210, 62, 85, 19, 148, 224, 121,
-    91, 133, 17, 178, 229, 127, 223, 253, 16, 67, 166, 103, 165, 116, 145, 251, 43, 201, 68, 238,
-    220, 11, 163, 214, 58, 127, 229, 91, 210, 228, 227, 123, 131, 20, 50, 63, 202, 134, 246, 32, 3,
-    249, 21, 102, 101, 121, 73, 175, 31, 20, 175, 188, 197, 178, 53, 107, 56, 222, 233, 249, 73, 14,
-    13, 22, 197, 99, 166, 44, 68, 82, 98, 142, 27, 91, 190, 11, 37, 15, 46, 33, 137, 130, 142, 77,
-    135, 243, 96, 116, 114, 85, 52, 12, 66, 172, 46, 39, 145, 209, 161, 25, 200, 17, 166, 222, 200,
-    52, 91, 234, 85, 101, 138, 89, 254, 154, 139, 98, 31, 57, 31, 140, 84, 85, 141, 147, 147, 61,
-    100, 171, 37, 64, 132, 108, 131, 23, 252, 210, 121, 102, 208, 74, 165, 101, 176, 230, 198, 104,
-    147, 5, 227, 132, 26, 201, 84, 130, 164, 145, 150, 201, 33, 161, 72, 229, 48, 57, 6, 22, 14, 30,
-    195, 36, 23, 60, 189, 187, 78, 9, 162, 134, 194, 170, 72, 113, 252, 211, 72, 186, 211, 136, 42,
-    163, 90, 189, 225, 209, 108, 113, 15, 137, 6, 133, 177, 165, 112, 37, 34, 196, 253, 225, 94, 84,
-    137, 163, 239, 213, 63, 145, 47, 217, 217, 139, 85, 133, 223, 154, 61, 224, 191, 196, 60, 121,
-    165, 244, 53, 202, 237, 57, 123, 50, 183, 199, 251, 221, 75, 64, 25, 134, 143, 136, 84, 199,
-    206, 174, 89, 63, 189, 167, 120, 112, 249, 17, 132, 141, 233, 82, 98, 57, 253, 23, 250, 138,
-    165, 165, 160, 181, 53, 78, 131, 154, 150, 235, 15, 168, 29, 146, 157, 157, 198, 31, 170, 254,
-    10, 57, 192, 9, 8, 253, 214, 248, 71, 227, 235, 240, 116, 235, 34, 246, 18, 116, 189, 167, 43,
-    223, 163, 98, 196, 210, 228, 122, 238, 64, 106, 84, 161, 100, 184, 94, 114, 159, 147, 239, 66,
-    38, 212, 250, 228, 203, 121, 214, 9, 246, 104, 111, 156, 79, 112, 108, 93, 5, 107, 220, 52, 2,
-    220, 18, 97, 152, 172, 169, 145, 49, 236, 251, 183, 2, 127, 152, 93, 145, 22, 57, 18, 55, 190,
-    190, 79, 60, 100, 22, 50, 70, 76, 240, 147, 117, 207, 217, 232, 182, 165, 131, 234, 147, 181,
-    76, 169, 55, 183, 92, 166, 160, 134, 239, 240, 28, 17, 202, 120, 239, 195, 102, 234, 65, 163,
-    149, 169, 229, 52, 154, 139, 3, 204, 170, 35, 102, 88, 85, 108, 195, 169, 82, 129, 216, 89, 223,
-    111, 156, 78, 73, 180, 178, 99, 54, 116, 99, 228, 133, 99, 32, 233, 108, 133, 240, 22, 233, 100,
-    20, 171, 66, 87, 18, 87, 194, 18, 50, 111, 190, 16, 20, 102, 20, 226, 114, 73, 52, 223, 236,
-    155, 99, 99, 5, 67, 115, 226, 188, 212, 247, 96, 214, 78, 72, 170, 198, 108, 36, 242, 66, 44,
-    132, 66, 124, 135, 189, 219, 80, 60, 192, 14, 35, 166, 64, 213, 27, 153, 139, 134, 141, 91, 175,
-    35, 105, 194, 74, 201, 41, 192, 62, 137, 96, 226, 3, 3, 73, 99, 54, 155, 190, 76, 194, 108, 186,
-    46, 185, 44, 180, 42, 12, 102, 37, 226, 21, 37, 229, 194, 100, 148, 1, 46, 176, 9, 11, 142, 127,
-    9, 185, 47, 114, 66, 243, 24, 194, 221, 217, 12, 177, 188, 16, 30, 160, 176, 24, 203, 95, 192,
-    40, 121, 40, 64, 4, 65, 230, 147, 24, 131, 194, 132, 72, 96, 36, 24, 166, 30, 217, 158, 114,
-    154, 68, 97, 125, 215, 148, 49, 61, 148, 58, 127, 56, 169, 36, 197, 160, 48, 25, 104, 72, 176,
-    48, 182, 20, 186, 116, 202, 16, 199, 40, 4, 164, 222, 237, 139, 255, 96, 191, 233, 152, 68, 33,
-    128, 65, 84, 95, 159, 252, 45, 63, 255, 138, 47, 17, 178, 48, 111, 159, 216, 203, 69, 200, 65,
-    159, 250, 160, 171, 93, 134, 90, 16, 148, 199, 216, 82, 212, 229, 62, 215, 47, 42, 184, 246,
-    231, 58, 225, 73, 8, 24, 107, 153, 119, 217, 249, 187, 69, 131, 252, 156, 101, 158, 186, 78, 40,
-    128, 216, 15, 32, 116, 226, 233, 202, 30, 24, 254, 141, 249, 127, 152, 11, 52, 163, 234, 190,
-    118, 204, 189, 150, 127, 236, 11, 67, 228, 15, 106, 75, 122, 164, 95, 193, 79, 89, 105, 139,
-    147, 251, 108, 7, 139, 228, 33, 27, 66, 181, 199, 212, 180, 49, 47, 157, 217, 168, 52, 254, 237,
-    159, 95, 50, 193, 45, 104, 23, 180, 147, 46, 92, 69, 222, 237, 137, 76, 184, 43, 103, 233, 36,
-    207, 235, 196, 12, 51, 161, 87, 22, 255, 152, 245, 215, 204, 97, 241, 97, 241, 232, 174, 247,
-    248, 126, 145, 158, 82, 234, 78, 196, 225, 123, 135, 199, 94, 145, 117, 14, 89, 26, 237, 91, 36,
-    168, 156, 117, 113, 212, 151, 173, 199, 161, 23, 0, 19, 186, 246, 243, 95, 30, 232, 231, 176,
-    254, 169, 184, 215, 225, 78, 150, 110, 145, 112, 94, 40, 155, 44, 65, 1, 137, 66, 175, 64, 22,
-    27, 193, 252, 58, 245, 199, 243, 229, 99, 18, 2, 224, 141, 67, 87, 211, 35, 121, 187, 240, 105,
-    171, 230, 153, 187, 206, 72, 180, 82, 251, 136, 250, 160, 75, 178, 141, 204, 83, 16, 36, 113,
-    147, 67, 20, 176, 224, 251, 31, 54, 99, 15, 142, 223, 97, 220, 114, 129, 25, 62, 149, 9, 111,
-    67, 27, 89, 39, 86, 210, 216, 6, 74, 236, 136, 224, 155, 139, 249, 146, 90, 86, 36, 26, 210, 98,
-    249, 238, 150, 228, 170, 90, 33, 240, 218, 62, 158, 109, 41, 241, 137, 83, 42, 88, 48, 177, 252,
-    188, 4, 42, 132, 189, 21, 150, 229, 27, 126, 101, 102, 172, 96, 30, 14, 171, 155, 198, 150, 154,
-    149, 25, 173, 179, 48, 97, 28, 53, 194, 66, 169, 17, 223, 76, 180, 165, 215, 2, 190, 240, 161,
-    136, 195, 171, 8, 34, 209, 112, 113, 172, 93, 249, 145, 225, 226, 193, 25, 144, 46, 136, 31,
-    196, 200, 13, 41, 30, 141, 89, 72, 71, 157, 2, 241, 102, 154, 138, 82, 24, 117, 29, 204, 64, 76,
-    36, 169, 148, 76, 32, 76, 62, 132, 214, 136, 38, 199, 170, 224, 127, 41, 147, 150, 81, 41, 67,
-    97, 48, 26, 212, 163, 25, 231, 120, 25, 61, 152, 96, 114, 8, 39, 241, 34, 193, 33, 162, 103,
-    225, 150, 178, 235, 41, 56, 204, 3, 17, 30, 129, 48, 204, 172, 126, 108, 205, 11, 72, 238, 240,
-    171, 159, 111, 0, 201, 17, 188, 166, 25, 35, 8, 100, 113, 101, 16, 33, 150, 226, 31, 0
+static const unsigned char skylight_sh_7_bands_0_1pct_packed_stream[2024] = {
+    167, 99, 234, 20, 34, 255, 191, 99, 12, 175, 10, 215, 179, 127, 54, 202, 255, 95, 174, 243, 253,
+    30, 219, 105, 76, 253, 159, 163, 165, 44, 201, 166, 255, 199, 44, 120, 225, 254, 197, 170, 123,
+    185, 254, 71, 22, 162, 173, 228, 255, 243, 17, 101, 255, 213, 126, 106, 98, 235, 143, 65, 248,
+    255, 29, 227, 236, 239, 65, 60, 137, 213, 255, 136, 190, 130, 129, 203, 251, 95, 231, 152, 245,
+    245, 195, 179, 26, 131, 120, 166, 79, 25, 51, 250, 81, 85, 11, 238, 177, 16, 13, 45, 61, 114,
+    178, 43, 29, 58, 142, 78, 43, 105, 88, 245, 170, 97, 88, 82, 46, 185, 178, 69, 209, 145, 111,
+    26, 25, 75, 250, 85, 173, 172, 232, 218, 8, 32, 17, 67, 135, 242, 203, 127, 108, 90, 119, 49,
+    121, 3, 199, 217, 122, 43, 51, 154, 232, 161, 1, 27, 188, 227, 5, 59, 124, 23, 77, 37, 185, 115,
+    136, 101, 49, 59, 38, 110, 99, 226, 229, 28, 55, 56, 130, 117, 46, 44, 121, 87, 253, 27, 102,
+    44, 108, 163, 197, 111, 153, 105, 191, 49, 233, 100, 253, 118, 111, 73, 26, 46, 78, 220, 23,
+    198, 55, 118, 221, 12, 127, 34, 236, 198, 51, 54, 166, 93, 125, 13, 13, 212, 202, 222, 70, 180,
+    158, 0, 237, 92, 33, 67, 100, 144, 87, 93, 209, 125, 62, 164, 212, 219, 150, 100, 223, 247, 16,
+    243, 238, 138, 110, 24, 14, 147, 23, 117, 51, 115, 125, 129, 234, 71, 89, 50, 172, 182, 91, 3,
+    22, 92, 125, 188, 158, 71, 228, 168, 220, 117, 146, 102, 203, 153, 240, 96, 83, 111, 121, 189,
+    72, 141, 183, 39, 205, 34, 6, 44, 30, 230, 202, 21, 4, 83, 27, 46, 150, 165, 179, 207, 110, 161,
+    34, 95, 180, 108, 160, 82, 247, 235, 165, 184, 68, 106, 232, 244, 63, 204, 93, 44, 216, 25, 145,
+    52, 85, 190, 113, 114, 163, 66, 185, 243, 192, 202, 11, 254, 21, 80, 44, 43, 193, 34, 55, 197,
+    187, 119, 148, 151, 246, 204, 136, 101, 165, 161, 185, 31, 249, 251, 58, 51, 130, 88, 144, 25,
+    95, 120, 162, 108, 158, 137, 76, 220, 113, 58, 162, 228, 153, 99, 235, 204, 59, 147, 242, 160,
+    197, 44, 26, 140, 28, 11, 13, 13, 46, 187, 30, 171, 44, 139, 44, 85, 0, 76, 101, 78, 44, 20,
+    237, 247, 45, 161, 177, 113, 66, 111, 60, 217, 44, 162, 248, 71, 38, 93, 33, 130, 149, 16, 250,
+    138, 34, 89, 195, 3, 87, 94, 4, 229, 92, 35, 83, 134, 244, 189, 159, 61, 153, 159, 25, 222, 25,
+    61, 135, 57, 169, 98, 231, 96, 185, 231, 131, 124, 233, 135, 238, 165, 206, 200, 229, 38, 148,
+    250, 244, 181, 38, 167, 40, 109, 212, 84, 205, 201, 207, 178, 158, 219, 147, 69, 85, 79, 186,
+    109, 254, 196, 89, 82, 252, 72, 47, 56, 229, 247, 177, 173, 37, 114, 225, 232, 164, 246, 67, 67,
+    251, 214, 100, 44, 149, 253, 178, 241, 71, 23, 232, 170, 43, 69, 155, 178, 173, 75, 143, 173,
+    221, 148, 112, 42, 175, 1, 176, 14, 197, 145, 43, 25, 169, 54, 8, 167, 102, 160, 172, 74, 110,
+    55, 6, 234, 203, 62, 50, 57, 33, 237, 62, 137, 240, 62, 111, 199, 78, 117, 141, 130, 254, 30,
+    27, 158, 70, 164, 80, 232, 253, 135, 88, 3, 1, 42, 166, 132, 124, 41, 61, 38, 183, 10, 136, 64,
+    252, 210, 25, 43, 188, 173, 84, 67, 7, 138, 47, 173, 136, 220, 209, 97, 215, 204, 133, 182, 5,
+    47, 21, 154, 9, 105, 9, 45, 59, 230, 166, 68, 38, 235, 140, 54, 153, 157, 154, 23, 121, 192,
+    148, 195, 144, 117, 202, 12, 30, 82, 84, 75, 70, 71, 83, 128, 121, 177, 243, 140, 108, 160, 203,
+    100, 115, 116, 47, 141, 33, 25, 99, 155, 30, 18, 56, 248, 80, 227, 52, 77, 50, 116, 54, 199, 2,
+    164, 218, 123, 38, 140, 225, 46, 0, 139, 225, 138, 30, 73, 135, 254, 190, 66, 85, 133, 100, 199,
+    107, 56, 243, 198, 56, 96, 210, 115, 100, 130, 138, 213, 220, 20, 43, 146, 111, 135, 213, 161,
+    242, 173, 209, 41, 67, 64, 8, 115, 131, 89, 7, 226, 255, 174, 60, 118, 14, 117, 59, 157, 102,
+    226, 190, 248, 79, 108, 107, 97, 194, 83, 215, 207, 216, 214, 104, 248, 165, 225, 238, 123, 71,
+    124, 185, 178, 150, 99, 155, 47, 214, 156, 239, 243, 81, 165, 209, 247, 123, 21, 19, 186, 171,
+    119, 148, 123, 244, 220, 82, 220, 85, 193, 43, 176, 189, 39, 128, 41, 46, 13, 174, 76, 126, 254,
+    181, 242, 63, 229, 124, 65, 205, 65, 100, 196, 247, 101, 240, 177, 248, 117, 77, 203, 72, 104,
+    156, 239, 247, 128, 112, 85, 127, 90, 245, 252, 62, 31, 37, 169, 187, 79, 90, 27, 230, 235, 93,
+    63, 168, 199, 113, 189, 241, 233, 85, 190, 15, 202, 121, 125, 43, 184, 104, 50, 46, 238, 117,
+    91, 105, 195, 106, 122, 154, 64, 114, 171, 48, 66, 92, 251, 111, 98, 31, 54, 112, 84, 44, 169,
+    151, 140, 191, 52, 76, 221, 198, 165, 44, 107, 169, 163, 86, 187, 38, 78, 61, 188, 54, 136, 148,
+    233, 209, 51, 178, 6, 39, 140, 175, 62, 40, 140, 11, 122, 249, 64, 218, 193, 203, 208, 176, 65,
+    120, 143, 157, 179, 220, 208, 96, 209, 139, 131, 176, 17, 10, 81, 204, 113, 35, 187, 119, 140,
+    224, 129, 36, 36, 81, 104, 177, 180, 160, 29, 141, 81, 173, 121, 194, 111, 67, 235, 114, 14, 9,
+    21, 26, 84, 33, 68, 173, 113, 89, 38, 240, 166, 42, 153, 75, 95, 114, 81, 108, 156, 232, 201,
+    136, 83, 164, 58, 49, 185, 83, 246, 20, 195, 131, 216, 18, 15, 171, 134, 127, 185, 55, 147, 39,
+    174, 26, 202, 37, 108, 150, 241, 37, 231, 197, 9, 51, 148, 113, 110, 196, 17, 149, 199, 33, 193,
+    72, 126, 38, 102, 12, 43, 26, 60, 138, 116, 161, 192, 217, 229, 126, 5, 136, 26, 26, 175, 103,
+    74, 16, 79, 94, 170, 207, 77, 35, 172, 120, 94, 161, 13, 142, 87, 192, 122, 135, 12, 234, 222,
+    58, 31, 67, 70, 132, 239, 15, 160, 2, 70, 254, 124, 65, 254, 236, 119, 202, 169, 139, 74, 37,
+    221, 94, 61, 217, 43, 204, 39, 174, 144, 186, 230, 184, 154, 102, 207, 133, 182, 120, 191, 123,
+    9, 32, 147, 240, 17, 17, 119, 226, 220, 154, 237, 195, 123, 8, 7, 151, 207, 11, 18, 90, 146, 18,
+    165, 21, 82, 239, 233, 11, 181, 22, 2, 86, 234, 56, 139, 105, 90, 102, 63, 179, 119, 44, 159,
+    217, 55, 252, 65, 229, 215, 253, 169, 37, 48, 10, 247, 246, 239, 135, 220, 173, 127, 168, 86, 1,
+    94, 118, 238, 244, 96, 237, 58, 42, 38, 44, 77, 174, 231, 14, 36, 198, 20, 74, 134, 107, 177,
+    117, 142, 189, 74, 145, 41, 61, 127, 63, 172, 19, 108, 206, 178, 248, 78, 127, 172, 234, 50,
+    245, 45, 154, 128, 186, 64, 24, 229, 42, 107, 41, 12, 80, 247, 23, 218, 127, 54, 220, 130, 14,
+    49, 136, 26, 64, 111, 252, 79, 141, 29, 140, 65, 147, 251, 32, 221, 111, 50, 220, 109, 227, 144,
+    242, 96, 45, 83, 234, 204, 44, 150, 41, 208, 239, 246, 207, 240, 164, 132, 247, 62, 109, 77, 53,
+    104, 152, 194, 180, 151, 62, 99, 120, 116, 97, 149, 4, 77, 172, 106, 117, 60, 181, 85, 34, 28,
+    171, 253, 150, 229, 184, 67, 37, 23, 86, 161, 27, 6, 175, 10, 83, 71, 101, 39, 132, 91, 157, 99,
+    80, 169, 9, 76, 117, 164, 149, 248, 37, 179, 38, 140, 66, 34, 178, 8, 247, 138, 130, 241, 70,
+    223, 155, 26, 43, 120, 52, 78, 157, 166, 182, 157, 0, 83, 51, 249, 120, 42, 35, 38, 210, 50, 40,
+    43, 20, 226, 142, 79, 119, 146, 120, 128, 28, 70, 140, 18, 83, 41, 132, 45, 23, 46, 142, 54, 71,
+    81, 133, 147, 195, 83, 128, 117, 194, 7, 135, 240, 192, 64, 210, 152, 205, 229, 110, 83, 40, 27,
+    110, 75, 46, 11, 183, 30, 4, 198, 228, 225, 73, 13, 165, 66, 228, 179, 24, 220, 224, 2, 22, 28,
+    255, 162, 107, 9, 228, 136, 114, 177, 6, 175, 166, 102, 112, 229, 131, 252, 128, 132, 70, 145,
+    220, 165, 11, 147, 136, 130, 195, 112, 84, 76, 98, 140, 9, 19, 32, 131, 176, 88, 148, 118, 98,
+    57, 229, 52, 137, 194, 171, 179, 205, 65, 160, 197, 203, 185, 244, 209, 132, 114, 20, 18, 22,
+    164, 138, 71, 162, 96, 221, 91, 103, 108, 200, 16, 17, 14, 80, 104, 70, 167, 91, 12, 207, 238,
+    23, 28, 146, 180, 195, 46, 120, 170, 233, 196, 222, 240, 211, 175, 237, 14, 17, 139, 178, 236,
+    196, 94, 42, 195, 14, 124, 234, 131, 46, 187, 3, 177, 32, 40, 141, 158, 13, 61, 85, 238, 172,
+    126, 73, 192, 181, 243, 58, 209, 137, 15, 22, 105, 151, 77, 236, 241, 238, 206, 31, 62, 167,
+    147, 79, 187, 203, 103, 0, 238, 7, 16, 58, 74, 148, 99, 135, 250, 127, 159, 125, 92, 23, 104,
+    134, 208, 117, 236, 248, 122, 247, 206, 250, 58, 140, 244, 65, 109, 61, 79, 115, 5, 63, 69, 133,
+    237, 13, 234, 217, 14, 23, 153, 51, 54, 132, 122, 186, 77, 12, 155, 242, 78, 206, 53, 41, 77,
+    127, 121, 252, 146, 9, 150, 190, 83, 196, 78, 217, 112, 17, 73, 151, 39, 146, 95, 45, 207, 194,
+    57, 90, 65, 19, 243, 51, 54, 165, 185, 234, 255, 71, 147, 191, 10, 178, 201, 200, 176, 248, 115,
+    45, 123, 2, 191, 44, 163, 17, 182, 44, 28, 182, 119, 118, 90, 191, 172, 115, 200, 210, 168, 220,
+    34, 33, 165, 108, 139, 163, 92, 178, 22, 39, 174, 3, 77, 232, 214, 79, 191, 38, 244, 115, 88,
+    237, 68, 92, 231, 96, 193, 165, 91, 28, 148, 183, 201, 6, 150, 160, 128, 128, 182, 231, 50, 122,
+    152, 141, 252, 90, 240, 167, 223, 21, 35, 18, 4, 192, 38, 155, 91, 228, 73, 187, 81, 244, 104,
+    43, 228, 233, 186, 192, 56, 60, 167, 238, 1, 237, 129, 151, 164, 26, 152, 166, 0, 76, 226, 18,
+    7, 24, 192, 114, 47, 127, 82, 20, 59, 56, 118, 167, 111, 189, 246, 9, 193, 76, 198, 187, 14,
+    144, 135, 18, 11, 89, 174, 129, 18, 27, 216, 191, 255, 31, 40, 89, 196, 129, 24, 108, 92, 218,
+    94, 197, 194, 91, 87, 33, 2, 190, 146, 15, 101, 91, 58, 180, 196, 57, 29, 44, 152, 85, 120, 86,
+    6, 131, 163, 222, 8, 74, 163, 155, 125, 99, 102, 236, 193, 243, 114, 130, 221, 181, 242, 38,
+    154, 122, 76, 213, 217, 71, 134, 129, 228, 20, 97, 165, 26, 248, 38, 147, 93, 186, 20, 176, 133,
+    15, 136, 160, 187, 114, 224, 145, 11, 19, 150, 181, 42, 56, 50, 92, 52, 108, 6, 164, 76, 240, 7,
+    57, 82, 195, 9, 72, 99, 44, 162, 163, 77, 1, 241, 70, 138, 138, 88, 24, 87, 112, 42, 195, 16,
+    145, 72, 133, 196, 65, 161, 210, 56, 178, 69, 20, 24, 43, 254, 23, 7, 185, 21, 215, 18, 144, 12,
+    30, 89, 153, 205, 224, 70, 193, 136, 193, 6, 12, 129, 144, 145, 42, 26, 20, 30, 244, 28, 204,
+    70, 210, 158, 130, 195, 52, 240, 0, 50, 0, 134, 152, 85, 79, 21, 113, 1, 201, 29, 126, 253, 242,
+    146, 49, 27, 87, 135, 17, 6, 16, 199, 224, 73, 60, 142, 103, 14
 };
 
 /* What all weights share: the closed form preetham_classes. */
-static const unsigned short skylight_sh_7_bands_0_1pct_packed_short[60] = { 40453, 4971, 945, 105,
-    24192, 2155, 420, 15, 1, 1787, 1463, 3554, 4275, 25, 3125, 227, 53251, 1206, 25771, 67, 3703, 5,
-    275, 4214, 15346, 61, 897, 26756, 317, 4153, 667, 516, 26688, 7332, 4, 2125, 641, 8989, 33, 452,
-    166, 2903, 11693, 375, 6377, 21196, 209, 3202, 6052, 394, 25886, 993, 7344, 79, 2102, 441,
-    16537, 109, 529, 41556 };
+static const unsigned short skylight_sh_7_bands_0_1pct_packed_short[61] = { 40453, 4971, 945, 105,
+    24192, 2155, 420, 15, 1, 1787, 1463, 3554, 4275, 25, 3125, 227, 4, 79, 53251, 2125, 2102, 1206,
+    641, 441, 25771, 8989, 16537, 67, 33, 109, 3703, 452, 529, 5, 275, 166, 4214, 2903, 15346,
+    11693, 61, 375, 897, 6377, 26756, 21196, 317, 209, 4153, 3202, 667, 6052, 516, 394, 26688,
+    25886, 7332, 993, 7344, 41556, 0 };
 
-#define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_EARLY 16
-
-static inline void skylight_sh_7_bands_0_1pct_packed_begin_factors(const
-    skylight_sh_7_bands_0_1pct_packed_real *x, skylight_sh_7_bands_0_1pct_packed_real *early)
+#ifdef SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_LANES
+/* Equal formulas of different numbers side by side. */
+static inline void skylight_sh_7_bands_0_1pct_packed_factors(const
+    skylight_sh_7_bands_0_1pct_packed_real *x, skylight_sh_7_bands_0_1pct_packed_real *out)
 {
     const float chi = (0.888888896f - x[1] * 0.0166666675f) * (1.57079637f - x[0]);
     const float square = chi * chi;
-    early[0] = ((skylight_sh_7_bands_0_1pct_packed_real)skylight_sh_7_bands_0_1pct_packed_short[2])
-        - square *
+    const float below =
+        ((skylight_sh_7_bands_0_1pct_packed_real)skylight_sh_7_bands_0_1pct_packed_short[2]) -
+        square *
         (((skylight_sh_7_bands_0_1pct_packed_real)skylight_sh_7_bands_0_1pct_packed_short[6]) -
         ((skylight_sh_7_bands_0_1pct_packed_real)skylight_sh_7_bands_0_1pct_packed_short[7]) *
         square);
-    early[1] = ((0.100000001f * skylight_sh_7_bands_0_1pct_packed_short[0]) * x[1] -
+    const float zenith = ((0.100000001f * skylight_sh_7_bands_0_1pct_packed_short[0]) * x[1] -
         ((skylight_sh_7_bands_0_1pct_packed_real)skylight_sh_7_bands_0_1pct_packed_short[1])) * (chi
         * (((skylight_sh_7_bands_0_1pct_packed_real)skylight_sh_7_bands_0_1pct_packed_short[2]) -
         square *
         (((skylight_sh_7_bands_0_1pct_packed_real)skylight_sh_7_bands_0_1pct_packed_short[3]) -
         square))) + ((0.100000001f * skylight_sh_7_bands_0_1pct_packed_short[4]) - (0.100000001f *
-        skylight_sh_7_bands_0_1pct_packed_short[5]) * x[1]) * early[0];
+        skylight_sh_7_bands_0_1pct_packed_short[5]) * x[1]) * below;
     const float part_1 = (-9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[11]) * x[1] +
         (9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[12]);
     const float up =
@@ -416,108 +551,228 @@ static inline void skylight_sh_7_bands_0_1pct_packed_begin_factors(const
         part_1 * ((0.00999999978f * skylight_sh_7_bands_0_1pct_packed_short[13]) + part_1 *
         (9.99999975e-06f * skylight_sh_7_bands_0_1pct_packed_short[14]));
     const float up2 = up * up;
-    early[2] = ((skylight_sh_7_bands_0_1pct_packed_real)skylight_sh_7_bands_0_1pct_packed_short[8])
-        + ((9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[9]) * x[1] + (-0.00100000005f
-        * skylight_sh_7_bands_0_1pct_packed_short[10])) * (up2 * up2);
-    early[3] = (-9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[15]) * x[1] +
-        (9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[16]);
-    const float y = ((9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[17]) * x[1] +
-        (-9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[18])) * x[0] * (0.00999999978f *
-        skylight_sh_7_bands_0_1pct_packed_short[13]);
-    const float halo = 1.0f + y * (0.99999845f + y * (0.499975085f + y * (0.166515172f + y *
-        (0.0412233174f + y * (0.00765432511f + y * 0.000849007862f)))));
-    early[4] = halo * halo;
+    const skylight_sh_7_bands_0_1pct_packed_four y =
+        (skylight_sh_7_bands_0_1pct_packed_triple((9.99999975e-05f *
+        skylight_sh_7_bands_0_1pct_packed_short[21]),
+        (-9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[22]),
+        (-9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[23])) * x[1] +
+        skylight_sh_7_bands_0_1pct_packed_triple((-9.99999975e-05f *
+        skylight_sh_7_bands_0_1pct_packed_short[24]),
+        (-9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[25]),
+        (-9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[26]))) * x[0] * (0.00999999978f
+        * skylight_sh_7_bands_0_1pct_packed_short[13]);
+    const skylight_sh_7_bands_0_1pct_packed_four y2 = y * y;
+    const skylight_sh_7_bands_0_1pct_packed_four halo = 1.0f + 0.99999845f * y + y2 * (0.499975085f
+        + 0.166515172f * y + y2 * (0.0412233174f + 0.00765432511f * y + y2 * 0.000849007862f));
+    const skylight_sh_7_bands_0_1pct_packed_four halo2 = halo * halo;
+    const skylight_sh_7_bands_0_1pct_packed_four halo4 = halo2 * halo2;
     const float z = x[0] * x[0];
     const float cosine =
         ((skylight_sh_7_bands_0_1pct_packed_real)skylight_sh_7_bands_0_1pct_packed_short[8]) - z *
-        ((0.100000001f * skylight_sh_7_bands_0_1pct_packed_short[21]) - z * (9.99999975e-06f *
+        ((0.100000001f * skylight_sh_7_bands_0_1pct_packed_short[33]) - z * (9.99999975e-06f *
         skylight_sh_7_bands_0_1pct_packed_short[14]));
     const float cosine2 = cosine * cosine;
-    early[5] = ((-0.00100000005f * skylight_sh_7_bands_0_1pct_packed_short[19]) * x[1] +
-        (9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[20])) * cosine2;
-    early[6] = (((((9.99999975e-06f * skylight_sh_7_bands_0_1pct_packed_short[22]) * x[1] +
-        (-9.99999975e-06f * skylight_sh_7_bands_0_1pct_packed_short[23])) * x[1] + (9.99999975e-06f
-        * skylight_sh_7_bands_0_1pct_packed_short[24])) * x[0] + (((-9.99999975e-05f *
-        skylight_sh_7_bands_0_1pct_packed_short[25]) * x[1] + (9.99999975e-05f *
-        skylight_sh_7_bands_0_1pct_packed_short[26])) * x[1] + (-9.99999975e-06f *
-        skylight_sh_7_bands_0_1pct_packed_short[27]))) * x[0] + (((9.99999975e-06f *
-        skylight_sh_7_bands_0_1pct_packed_short[28]) * x[1] + (-9.99999975e-06f *
-        skylight_sh_7_bands_0_1pct_packed_short[29])) * x[1] + (9.99999975e-05f *
-        skylight_sh_7_bands_0_1pct_packed_short[30]))) * x[0] + ((9.99999975e-06f *
-        skylight_sh_7_bands_0_1pct_packed_short[31]) * x[1] + (9.99999975e-06f *
-        skylight_sh_7_bands_0_1pct_packed_short[32]));
-    early[7] = (9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[13]) * x[1] +
-        (9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[33]);
-    early[8] = (-9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[34]) * x[1] +
-        (9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[35]);
-    const float y_2 = ((-9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[36]) * x[1] +
-        (-9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[37])) * x[0] * (0.00999999978f *
-        skylight_sh_7_bands_0_1pct_packed_short[13]);
-    const float halo_2 = 1.0f + y_2 * (0.99999845f + y_2 * (0.499975085f + y_2 * (0.166515172f + y_2
-        * (0.0412233174f + y_2 * (0.00765432511f + y_2 * 0.000849007862f)))));
-    early[9] = halo_2 * halo_2;
-    early[10] = ((-9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[38]) * x[1] +
-        (9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[39])) * cosine2;
-    early[11] = (((((9.99999975e-06f * skylight_sh_7_bands_0_1pct_packed_short[40]) * x[1] +
-        (-9.99999975e-06f * skylight_sh_7_bands_0_1pct_packed_short[41])) * x[1] + (9.99999975e-06f
-        * skylight_sh_7_bands_0_1pct_packed_short[42])) * x[0] + (((-9.99999975e-06f *
-        skylight_sh_7_bands_0_1pct_packed_short[43]) * x[1] + (9.99999975e-06f *
-        skylight_sh_7_bands_0_1pct_packed_short[44])) * x[1] + (-9.99999975e-06f *
-        skylight_sh_7_bands_0_1pct_packed_short[45]))) * x[0] + (((9.99999975e-06f *
-        skylight_sh_7_bands_0_1pct_packed_short[46]) * x[1] + (-9.99999975e-06f *
-        skylight_sh_7_bands_0_1pct_packed_short[47])) * x[1] + (9.99999975e-06f *
-        skylight_sh_7_bands_0_1pct_packed_short[48]))) * x[0] + ((9.99999975e-06f *
-        skylight_sh_7_bands_0_1pct_packed_short[49]) * x[1] + (9.99999975e-06f *
-        skylight_sh_7_bands_0_1pct_packed_short[50]));
-    early[12] = (9.99999975e-06f * skylight_sh_7_bands_0_1pct_packed_short[51]) * x[1] +
-        (9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[52]);
-    early[13] = (-9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[53]) * x[1] +
-        (9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[54]);
-    const float y_3 = ((-9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[55]) * x[1] +
-        (-9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[56])) * x[0] * (0.00999999978f *
-        skylight_sh_7_bands_0_1pct_packed_short[13]);
-    const float halo_3 = 1.0f + y_3 * (0.99999845f + y_3 * (0.499975085f + y_3 * (0.166515172f + y_3
-        * (0.0412233174f + y_3 * (0.00765432511f + y_3 * 0.000849007862f)))));
-    early[14] = halo_3 * halo_3;
-    early[15] = ((-9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[57]) * x[1] +
-        (9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[58])) * cosine2;
+    const skylight_sh_7_bands_0_1pct_packed_four part_2 =
+        ((skylight_sh_7_bands_0_1pct_packed_real)skylight_sh_7_bands_0_1pct_packed_short[8]) +
+        (skylight_sh_7_bands_0_1pct_packed_triple((-9.99999975e-05f *
+        skylight_sh_7_bands_0_1pct_packed_short[15]),
+        (-9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[16]),
+        (-9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[17])) * x[1] +
+        skylight_sh_7_bands_0_1pct_packed_triple((9.99999975e-05f *
+        skylight_sh_7_bands_0_1pct_packed_short[18]),
+        (9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[19]),
+        (9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[20]))) * halo4 +
+        (skylight_sh_7_bands_0_1pct_packed_triple((-0.00100000005f *
+        skylight_sh_7_bands_0_1pct_packed_short[27]),
+        (-9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[28]),
+        (-9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[29])) * x[1] +
+        skylight_sh_7_bands_0_1pct_packed_triple((9.99999975e-05f *
+        skylight_sh_7_bands_0_1pct_packed_short[30]),
+        (9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[31]),
+        (9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[32]))) * cosine2;
+    const float shape_y =
+        (((skylight_sh_7_bands_0_1pct_packed_real)skylight_sh_7_bands_0_1pct_packed_short[8]) +
+        ((9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[9]) * x[1] + (-0.00100000005f *
+        skylight_sh_7_bands_0_1pct_packed_short[10])) * (up2 * up2)) * part_2[0];
+    const skylight_sh_7_bands_0_1pct_packed_four y_zenith =
+        ((((skylight_sh_7_bands_0_1pct_packed_pair((9.99999975e-06f *
+        skylight_sh_7_bands_0_1pct_packed_short[34]),
+        (9.99999975e-06f * skylight_sh_7_bands_0_1pct_packed_short[35])) * x[1] +
+        skylight_sh_7_bands_0_1pct_packed_pair((-9.99999975e-06f *
+        skylight_sh_7_bands_0_1pct_packed_short[36]),
+        (-9.99999975e-06f * skylight_sh_7_bands_0_1pct_packed_short[37]))) * x[1] +
+        skylight_sh_7_bands_0_1pct_packed_pair((9.99999975e-06f *
+        skylight_sh_7_bands_0_1pct_packed_short[38]),
+        (9.99999975e-06f * skylight_sh_7_bands_0_1pct_packed_short[39]))) * x[0] +
+        ((skylight_sh_7_bands_0_1pct_packed_pair((-9.99999975e-05f *
+        skylight_sh_7_bands_0_1pct_packed_short[40]),
+        (-9.99999975e-06f * skylight_sh_7_bands_0_1pct_packed_short[41])) * x[1] +
+        skylight_sh_7_bands_0_1pct_packed_pair((9.99999975e-05f *
+        skylight_sh_7_bands_0_1pct_packed_short[42]),
+        (9.99999975e-06f * skylight_sh_7_bands_0_1pct_packed_short[43]))) * x[1] +
+        skylight_sh_7_bands_0_1pct_packed_pair((-9.99999975e-06f *
+        skylight_sh_7_bands_0_1pct_packed_short[44]),
+        (-9.99999975e-06f * skylight_sh_7_bands_0_1pct_packed_short[45])))) * x[0] +
+        ((skylight_sh_7_bands_0_1pct_packed_pair((9.99999975e-06f *
+        skylight_sh_7_bands_0_1pct_packed_short[46]),
+        (9.99999975e-06f * skylight_sh_7_bands_0_1pct_packed_short[47])) * x[1] +
+        skylight_sh_7_bands_0_1pct_packed_pair((-9.99999975e-06f *
+        skylight_sh_7_bands_0_1pct_packed_short[48]),
+        (-9.99999975e-06f * skylight_sh_7_bands_0_1pct_packed_short[49]))) * x[1] +
+        skylight_sh_7_bands_0_1pct_packed_pair((9.99999975e-05f *
+        skylight_sh_7_bands_0_1pct_packed_short[50]),
+        (9.99999975e-06f * skylight_sh_7_bands_0_1pct_packed_short[51])))) * x[0] +
+        (skylight_sh_7_bands_0_1pct_packed_pair((9.99999975e-06f *
+        skylight_sh_7_bands_0_1pct_packed_short[52]),
+        (9.99999975e-06f * skylight_sh_7_bands_0_1pct_packed_short[53])) * x[1] +
+        skylight_sh_7_bands_0_1pct_packed_pair((9.99999975e-06f *
+        skylight_sh_7_bands_0_1pct_packed_short[54]),
+        (9.99999975e-06f * skylight_sh_7_bands_0_1pct_packed_short[55])));
+    const float part_3 = y_zenith[0];
+    const float shape_x = ((9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[13]) * x[1] +
+        (9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[56])) * part_2[1];
+    const float one = zenith / (below * shape_y * part_3 * shape_x);
+    const float shape_z = ((9.99999975e-06f * skylight_sh_7_bands_0_1pct_packed_short[57]) * x[1] +
+        (9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[58])) * part_2[2];
+    const float of_x = one * y_zenith[1] * shape_z;
+    const skylight_sh_7_bands_0_1pct_packed_four part_4 =
+        skylight_sh_7_bands_0_1pct_packed_triple(3.73898554f, (-1.01082206f),
+        (-1.00158179f)) * of_x;
+    skylight_sh_7_bands_0_1pct_packed_keep(out + 4, part_4);
+    const float of_y = one * part_3 * shape_x;
+    const float of_s = one * shape_z * shape_x;
+    const skylight_sh_7_bands_0_1pct_packed_four part_5 =
+        skylight_sh_7_bands_0_1pct_packed_triple((-0.498531401f),
+        (9.99999997e-07f * skylight_sh_7_bands_0_1pct_packed_short[59]), 1.05722523f) * of_s;
+    skylight_sh_7_bands_0_1pct_packed_keep(out + 8, part_5);
+    const skylight_sh_7_bands_0_1pct_packed_four part_6 = part_4 +
+        skylight_sh_7_bands_0_1pct_packed_triple((-1.03860712f), 1.83445477f,
+        (-1.26125109f)) * of_y + part_5;
+    skylight_sh_7_bands_0_1pct_packed_keep(out + 0, part_6);
     (void)x;
-    (void)early;
 }
 
-/* The rest of it. */
-static inline void skylight_sh_7_bands_0_1pct_packed_end_factors(const
-    skylight_sh_7_bands_0_1pct_packed_real *x, const skylight_sh_7_bands_0_1pct_packed_real *early,
-    skylight_sh_7_bands_0_1pct_packed_real *out)
+#else
+static inline void skylight_sh_7_bands_0_1pct_packed_factors(const
+    skylight_sh_7_bands_0_1pct_packed_real *x, skylight_sh_7_bands_0_1pct_packed_real *out)
 {
-    const float halo4 = early[4] * early[4];
-    const float shape_y = early[2] *
+    const float chi = (0.888888896f - x[1] * 0.0166666675f) * (1.57079637f - x[0]);
+    const float square = chi * chi;
+    const float below =
+        ((skylight_sh_7_bands_0_1pct_packed_real)skylight_sh_7_bands_0_1pct_packed_short[2]) -
+        square *
+        (((skylight_sh_7_bands_0_1pct_packed_real)skylight_sh_7_bands_0_1pct_packed_short[6]) -
+        ((skylight_sh_7_bands_0_1pct_packed_real)skylight_sh_7_bands_0_1pct_packed_short[7]) *
+        square);
+    const float zenith = ((0.100000001f * skylight_sh_7_bands_0_1pct_packed_short[0]) * x[1] -
+        ((skylight_sh_7_bands_0_1pct_packed_real)skylight_sh_7_bands_0_1pct_packed_short[1])) * (chi
+        * (((skylight_sh_7_bands_0_1pct_packed_real)skylight_sh_7_bands_0_1pct_packed_short[2]) -
+        square *
+        (((skylight_sh_7_bands_0_1pct_packed_real)skylight_sh_7_bands_0_1pct_packed_short[3]) -
+        square))) + ((0.100000001f * skylight_sh_7_bands_0_1pct_packed_short[4]) - (0.100000001f *
+        skylight_sh_7_bands_0_1pct_packed_short[5]) * x[1]) * below;
+    const float part_1 = (-9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[11]) * x[1] +
+        (9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[12]);
+    const float up =
+        ((skylight_sh_7_bands_0_1pct_packed_real)skylight_sh_7_bands_0_1pct_packed_short[8]) +
+        part_1 * ((0.00999999978f * skylight_sh_7_bands_0_1pct_packed_short[13]) + part_1 *
+        (9.99999975e-06f * skylight_sh_7_bands_0_1pct_packed_short[14]));
+    const float up2 = up * up;
+    const float y = ((9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[21]) * x[1] +
+        (-9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[24])) * x[0] * (0.00999999978f *
+        skylight_sh_7_bands_0_1pct_packed_short[13]);
+    const float y2 = y * y;
+    const float halo = 1.0f + 0.99999845f * y + y2 * (0.499975085f + 0.166515172f * y + y2 *
+        (0.0412233174f + 0.00765432511f * y + y2 * 0.000849007862f));
+    const float halo2 = halo * halo;
+    const float halo4 = halo2 * halo2;
+    const float z = x[0] * x[0];
+    const float cosine =
+        ((skylight_sh_7_bands_0_1pct_packed_real)skylight_sh_7_bands_0_1pct_packed_short[8]) - z *
+        ((0.100000001f * skylight_sh_7_bands_0_1pct_packed_short[33]) - z * (9.99999975e-06f *
+        skylight_sh_7_bands_0_1pct_packed_short[14]));
+    const float cosine2 = cosine * cosine;
+    const float shape_y =
         (((skylight_sh_7_bands_0_1pct_packed_real)skylight_sh_7_bands_0_1pct_packed_short[8]) +
-        early[3] * halo4 + early[5]);
-    const float halo4_2 = early[9] * early[9];
-    const float shape_x = early[7] *
+        ((9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[9]) * x[1] + (-0.00100000005f *
+        skylight_sh_7_bands_0_1pct_packed_short[10])) * (up2 * up2)) *
         (((skylight_sh_7_bands_0_1pct_packed_real)skylight_sh_7_bands_0_1pct_packed_short[8]) +
-        early[8] * halo4_2 + early[10]);
-    const float one = early[1] / (early[0] * shape_y * early[6] * shape_x);
-    const float halo4_3 = early[14] * early[14];
-    const float shape_z = early[12] *
+        ((-9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[15]) * x[1] + (9.99999975e-05f
+        * skylight_sh_7_bands_0_1pct_packed_short[18])) * halo4 + ((-0.00100000005f *
+        skylight_sh_7_bands_0_1pct_packed_short[27]) * x[1] + (9.99999975e-05f *
+        skylight_sh_7_bands_0_1pct_packed_short[30])) * cosine2);
+    const float y_zenith = (((((9.99999975e-06f * skylight_sh_7_bands_0_1pct_packed_short[34]) *
+        x[1] + (-9.99999975e-06f * skylight_sh_7_bands_0_1pct_packed_short[36])) * x[1] +
+        (9.99999975e-06f * skylight_sh_7_bands_0_1pct_packed_short[38])) * x[0] +
+        (((-9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[40]) * x[1] + (9.99999975e-05f
+        * skylight_sh_7_bands_0_1pct_packed_short[42])) * x[1] + (-9.99999975e-06f *
+        skylight_sh_7_bands_0_1pct_packed_short[44]))) * x[0] + (((9.99999975e-06f *
+        skylight_sh_7_bands_0_1pct_packed_short[46]) * x[1] + (-9.99999975e-06f *
+        skylight_sh_7_bands_0_1pct_packed_short[48])) * x[1] + (9.99999975e-05f *
+        skylight_sh_7_bands_0_1pct_packed_short[50]))) * x[0] + ((9.99999975e-06f *
+        skylight_sh_7_bands_0_1pct_packed_short[52]) * x[1] + (9.99999975e-06f *
+        skylight_sh_7_bands_0_1pct_packed_short[54]));
+    const float y_2 = ((-9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[22]) * x[1] +
+        (-9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[25])) * x[0] * (0.00999999978f *
+        skylight_sh_7_bands_0_1pct_packed_short[13]);
+    const float y2_2 = y_2 * y_2;
+    const float halo_2 = 1.0f + 0.99999845f * y_2 + y2_2 * (0.499975085f + 0.166515172f * y_2 + y2_2
+        * (0.0412233174f + 0.00765432511f * y_2 + y2_2 * 0.000849007862f));
+    const float halo2_2 = halo_2 * halo_2;
+    const float halo4_2 = halo2_2 * halo2_2;
+    const float shape_x = ((9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[13]) * x[1] +
+        (9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[56])) *
         (((skylight_sh_7_bands_0_1pct_packed_real)skylight_sh_7_bands_0_1pct_packed_short[8]) +
-        early[13] * halo4_3 + early[15]);
-    const float of_x = one * early[11] * shape_z;
-    out[1] = 3.73898554f * of_x;
-    const float of_y = one * early[6] * shape_x;
+        ((-9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[16]) * x[1] + (9.99999975e-05f
+        * skylight_sh_7_bands_0_1pct_packed_short[19])) * halo4_2 + ((-9.99999975e-05f *
+        skylight_sh_7_bands_0_1pct_packed_short[28]) * x[1] + (9.99999975e-05f *
+        skylight_sh_7_bands_0_1pct_packed_short[31])) * cosine2);
+    const float one = zenith / (below * shape_y * y_zenith * shape_x);
+    const float x_zenith = (((((9.99999975e-06f * skylight_sh_7_bands_0_1pct_packed_short[35]) *
+        x[1] + (-9.99999975e-06f * skylight_sh_7_bands_0_1pct_packed_short[37])) * x[1] +
+        (9.99999975e-06f * skylight_sh_7_bands_0_1pct_packed_short[39])) * x[0] +
+        (((-9.99999975e-06f * skylight_sh_7_bands_0_1pct_packed_short[41]) * x[1] + (9.99999975e-06f
+        * skylight_sh_7_bands_0_1pct_packed_short[43])) * x[1] + (-9.99999975e-06f *
+        skylight_sh_7_bands_0_1pct_packed_short[45]))) * x[0] + (((9.99999975e-06f *
+        skylight_sh_7_bands_0_1pct_packed_short[47]) * x[1] + (-9.99999975e-06f *
+        skylight_sh_7_bands_0_1pct_packed_short[49])) * x[1] + (9.99999975e-06f *
+        skylight_sh_7_bands_0_1pct_packed_short[51]))) * x[0] + ((9.99999975e-06f *
+        skylight_sh_7_bands_0_1pct_packed_short[53]) * x[1] + (9.99999975e-06f *
+        skylight_sh_7_bands_0_1pct_packed_short[55]));
+    const float y_3 = ((-9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[23]) * x[1] +
+        (-9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[26])) * x[0] * (0.00999999978f *
+        skylight_sh_7_bands_0_1pct_packed_short[13]);
+    const float y2_3 = y_3 * y_3;
+    const float halo_3 = 1.0f + 0.99999845f * y_3 + y2_3 * (0.499975085f + 0.166515172f * y_3 + y2_3
+        * (0.0412233174f + 0.00765432511f * y_3 + y2_3 * 0.000849007862f));
+    const float halo2_3 = halo_3 * halo_3;
+    const float halo4_3 = halo2_3 * halo2_3;
+    const float shape_z = ((9.99999975e-06f * skylight_sh_7_bands_0_1pct_packed_short[57]) * x[1] +
+        (9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[58])) *
+        (((skylight_sh_7_bands_0_1pct_packed_real)skylight_sh_7_bands_0_1pct_packed_short[8]) +
+        ((-9.99999975e-05f * skylight_sh_7_bands_0_1pct_packed_short[17]) * x[1] + (9.99999975e-05f
+        * skylight_sh_7_bands_0_1pct_packed_short[20])) * halo4_3 + ((-9.99999975e-05f *
+        skylight_sh_7_bands_0_1pct_packed_short[29]) * x[1] + (9.99999975e-05f *
+        skylight_sh_7_bands_0_1pct_packed_short[32])) * cosine2);
+    const float of_x = one * x_zenith * shape_z;
+    out[4] = 3.73898554f * of_x;
+    const float of_y = one * y_zenith * shape_x;
     const float of_s = one * shape_z * shape_x;
-    out[2] = (-0.498531401f) * of_s;
-    out[0] = out[1] + (-1.03860712f) * of_y + out[2];
-    out[4] = (-1.01082206f) * of_x;
-    out[5] = (9.99999997e-07f * skylight_sh_7_bands_0_1pct_packed_short[59]) * of_s;
-    out[3] = out[4] + 1.83445477f * of_y + out[5];
-    out[7] = (-1.00158179f) * of_x;
-    out[8] = 1.05722523f * of_s;
-    out[6] = out[7] + (-1.26125109f) * of_y + out[8];
+    out[8] = (-0.498531401f) * of_s;
+    out[0] = out[4] + (-1.03860712f) * of_y + out[8];
+    out[5] = (-1.01082206f) * of_x;
+    out[9] = (9.99999997e-07f * skylight_sh_7_bands_0_1pct_packed_short[59]) * of_s;
+    out[1] = out[5] + 1.83445477f * of_y + out[9];
+    out[6] = (-1.00158179f) * of_x;
+    out[10] = 1.05722523f * of_s;
+    out[2] = out[6] + (-1.26125109f) * of_y + out[10];
+    out[3] = ((skylight_sh_7_bands_0_1pct_packed_real)skylight_sh_7_bands_0_1pct_packed_short[60]);
+    out[7] = ((skylight_sh_7_bands_0_1pct_packed_real)skylight_sh_7_bands_0_1pct_packed_short[60]);
+    out[11] = ((skylight_sh_7_bands_0_1pct_packed_real)skylight_sh_7_bands_0_1pct_packed_short[60]);
     (void)x;
-    (void)early;
 }
+
+#endif /* SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_LANES */
 
 /* The functions of sun_zenith (change of variable: even); 0 where there is
    none. */
@@ -535,7 +790,7 @@ static inline void skylight_sh_7_bands_0_1pct_packed_first(const
     out[8] = 2.0f * out[4] * out[4] - 1.0f;
     out[9] = 2.0f * out[4] * out[5] - out[1];
     out[10] = 2.0f * out[5] * out[5] - 1.0f;
-    out[11] = 0;
+    out[11] = 0.0f;
     (void)x;
 }
 
@@ -557,12 +812,13 @@ static inline void skylight_sh_7_bands_0_1pct_packed_others(const
 /* cos(m azimuth) and sin(m azimuth), m < bands, each times the m-th power
    of `radius`, by doubling. */
 static inline void skylight_sh_7_bands_0_1pct_packed_waves(skylight_sh_7_bands_0_1pct_packed_real
-    azimuth, skylight_sh_7_bands_0_1pct_packed_real radius,
-    skylight_sh_7_bands_0_1pct_packed_real *cosines, skylight_sh_7_bands_0_1pct_packed_real *sines)
+    cosine, skylight_sh_7_bands_0_1pct_packed_real sine,
+    skylight_sh_7_bands_0_1pct_packed_real radius, skylight_sh_7_bands_0_1pct_packed_real *cosines,
+    skylight_sh_7_bands_0_1pct_packed_real *sines)
 {
     cosines[0] = 1.0f;
-    cosines[1] = radius * cosf(azimuth);
-    sines[1] = radius * sinf(azimuth);
+    cosines[1] = radius * cosine;
+    sines[1] = radius * sine;
     cosines[2] = cosines[1] * cosines[1] - sines[1] * sines[1];
     sines[2] = sines[1] * cosines[1] + cosines[1] * sines[1];
     cosines[3] = cosines[1] * cosines[2] - sines[1] * sines[2];
@@ -586,6 +842,17 @@ static inline skylight_sh_7_bands_0_1pct_packed_real skylight_sh_7_bands_0_1pct_
     return x[SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_SUN] + x[SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_SUN] *
         (part_1 * ((-0.166666597f) + part_1 * (0.00833306555f + part_1 * ((-0.000198095426f) +
         part_1 * 2.60563934e-06f))));
+}
+
+/* Cosine and sine of an angle of at most an eighth of a turn. */
+static inline void skylight_sh_7_bands_0_1pct_packed_quarter(skylight_sh_7_bands_0_1pct_packed_real
+    angle, skylight_sh_7_bands_0_1pct_packed_real *out)
+{
+    const float part_1 = angle * angle;
+    out[0] = 1.0f - 0.5f * part_1 + part_1 * part_1 * (0.0416666456f + part_1 * ((-0.00138873665f) +
+        part_1 * 2.44383464e-05f));
+    out[1] = angle + angle * (part_1 * ((-0.166666552f) + part_1 * (0.0083321603f + part_1 *
+        (-0.00019515281f))));
 }
 
 /* The zonal window's factor for the degree `share` * bands (Habel et al.
@@ -691,173 +958,178 @@ static inline void skylight_sh_7_bands_0_1pct_packed_factor_slopes(const double 
     const double part_14 = (-0.022700000000000001) * x[1] + 5.3250999999999999;
     const double part_15 = 0.1206 * x[1] + (-2.5771000000000002);
     const double y = part_15 * x[0] * 0.25;
-    const double part_16 = 0.0076543250999999996 + y * 0.00084900787100000003;
-    const double part_17 = 0.041223317699999998 + y * part_16;
-    const double part_18 = 0.16651516699999999 + y * part_17;
-    const double part_19 = 0.49997509099999998 + y * part_18;
-    const double part_20 = 0.99999845399999998 + y * part_19;
-    const double halo = 0.99999998400000001 + y * part_20;
+    const double y2 = y * y;
+    const double part_16 = 0.041223317699999998 + 0.0076543250999999996 * y + y2 *
+        0.00084900787100000003;
+    const double part_17 = 0.49997509099999998 + 0.16651516699999999 * y + y2 * part_16;
+    const double halo = 0.99999998400000001 + 0.99999845399999998 * y + y2 * part_17;
     const double halo2 = halo * halo;
     const double halo4 = halo2 * halo2;
-    const double part_21 = (-0.067000000000000004) * x[1] + 0.37030000000000002;
+    const double part_18 = (-0.067000000000000004) * x[1] + 0.37030000000000002;
     const double z = x[0] * x[0];
-    const double part_22 = 0.5 - z * 0.03125;
-    const double cosine = 1.0 - z * part_22;
+    const double part_19 = 0.5 - z * 0.03125;
+    const double cosine = 1.0 - z * part_19;
     const double cosine2 = cosine * cosine;
-    const double part_23 = 1.0 + part_14 * halo4 + part_21 * cosine2;
-    const double shape_y = part_13 * part_23;
-    const double part_24 = below * shape_y;
-    const double part_25 = 0.0027499999999999998 * x[1] + (-0.042139999999999997);
-    const double part_26 = part_25 * x[1] + 0.15346000000000001;
-    const double part_27 = (-0.0061000000000000004) * x[1] + 0.089700000000000002;
-    const double part_28 = part_26 * x[0] + (part_27 * x[1] + (-0.26756000000000002));
-    const double part_29 = 0.0031700000000000001 * x[1] + (-0.041529999999999997);
-    const double part_30 = part_28 * x[0] + (part_29 * x[1] + 0.066699999999999995);
-    const double y_zenith = part_30 * x[0] + (0.0051599999999999997 * x[1] + 0.26688000000000001);
-    const double part_31 = part_24 * y_zenith;
-    const double part_32 = 0.0025000000000000001 * x[1] + 0.73319999999999996;
-    const double part_33 = (-0.00040000000000000002) * x[1] + 0.21249999999999999;
-    const double part_34 = (-0.064100000000000004) * x[1] + (-0.89890000000000003);
-    const double y_2 = part_34 * x[0] * 0.25;
-    const double part_35 = 0.0076543250999999996 + y_2 * 0.00084900787100000003;
-    const double part_36 = 0.041223317699999998 + y_2 * part_35;
-    const double part_37 = 0.16651516699999999 + y_2 * part_36;
-    const double part_38 = 0.49997509099999998 + y_2 * part_37;
-    const double part_39 = 0.99999845399999998 + y_2 * part_38;
-    const double halo_2 = 0.99999998400000001 + y_2 * part_39;
+    const double part_20 = 1.0 + part_14 * halo4 + part_18 * cosine2;
+    const double shape_y = part_13 * part_20;
+    const double part_21 = below * shape_y;
+    const double part_22 = 0.0027499999999999998 * x[1] + (-0.042139999999999997);
+    const double part_23 = part_22 * x[1] + 0.15346000000000001;
+    const double part_24 = (-0.0061000000000000004) * x[1] + 0.089700000000000002;
+    const double part_25 = part_23 * x[0] + (part_24 * x[1] + (-0.26756000000000002));
+    const double part_26 = 0.0031700000000000001 * x[1] + (-0.041529999999999997);
+    const double part_27 = part_25 * x[0] + (part_26 * x[1] + 0.066699999999999995);
+    const double y_zenith = part_27 * x[0] + (0.0051599999999999997 * x[1] + 0.26688000000000001);
+    const double part_28 = part_21 * y_zenith;
+    const double part_29 = 0.0025000000000000001 * x[1] + 0.73319999999999996;
+    const double part_30 = (-0.00040000000000000002) * x[1] + 0.21249999999999999;
+    const double part_31 = (-0.064100000000000004) * x[1] + (-0.89890000000000003);
+    const double y_2 = part_31 * x[0] * 0.25;
+    const double y2_2 = y_2 * y_2;
+    const double part_32 = 0.041223317699999998 + 0.0076543250999999996 * y_2 + y2_2 *
+        0.00084900787100000003;
+    const double part_33 = 0.49997509099999998 + 0.16651516699999999 * y_2 + y2_2 * part_32;
+    const double halo_2 = 0.99999998400000001 + 0.99999845399999998 * y_2 + y2_2 * part_33;
     const double halo2_2 = halo_2 * halo_2;
     const double halo4_2 = halo2_2 * halo2_2;
-    const double part_40 = (-0.0033) * x[1] + 0.045199999999999997;
-    const double part_41 = 1.0 + part_33 * halo4_2 + part_40 * cosine2;
-    const double shape_x = part_32 * part_41;
-    const double part_42 = part_31 * shape_x;
-    const double one = zenith / part_42;
-    const double part_43 = 0.00166 * x[1] + (-0.02903);
-    const double part_44 = part_43 * x[1] + 0.11693000000000001;
-    const double part_45 = (-0.0037499999999999999) * x[1] + 0.063769999999999993;
-    const double part_46 = part_44 * x[0] + (part_45 * x[1] + (-0.21196000000000001));
-    const double part_47 = 0.0020899999999999998 * x[1] + (-0.03202);
-    const double part_48 = part_46 * x[0] + (part_47 * x[1] + 0.060519999999999997);
-    const double x_zenith = part_48 * x[0] + (0.0039399999999999999 * x[1] + 0.25885999999999998);
-    const double part_49 = one * x_zenith;
-    const double part_50 = 0.0099299999999999996 * x[1] + 0.73440000000000005;
-    const double part_51 = (-0.0079000000000000008) * x[1] + 0.2102;
-    const double part_52 = (-0.0441) * x[1] + (-1.6536999999999999);
-    const double y_3 = part_52 * x[0] * 0.25;
-    const double part_53 = 0.0076543250999999996 + y_3 * 0.00084900787100000003;
-    const double part_54 = 0.041223317699999998 + y_3 * part_53;
-    const double part_55 = 0.16651516699999999 + y_3 * part_54;
-    const double part_56 = 0.49997509099999998 + y_3 * part_55;
-    const double part_57 = 0.99999845399999998 + y_3 * part_56;
-    const double halo_3 = 0.99999998400000001 + y_3 * part_57;
+    const double part_34 = (-0.0033) * x[1] + 0.045199999999999997;
+    const double part_35 = 1.0 + part_30 * halo4_2 + part_34 * cosine2;
+    const double shape_x = part_29 * part_35;
+    const double part_36 = part_28 * shape_x;
+    const double one = zenith / part_36;
+    const double part_37 = 0.00166 * x[1] + (-0.02903);
+    const double part_38 = part_37 * x[1] + 0.11693000000000001;
+    const double part_39 = (-0.0037499999999999999) * x[1] + 0.063769999999999993;
+    const double part_40 = part_38 * x[0] + (part_39 * x[1] + (-0.21196000000000001));
+    const double part_41 = 0.0020899999999999998 * x[1] + (-0.03202);
+    const double part_42 = part_40 * x[0] + (part_41 * x[1] + 0.060519999999999997);
+    const double x_zenith = part_42 * x[0] + (0.0039399999999999999 * x[1] + 0.25885999999999998);
+    const double part_43 = one * x_zenith;
+    const double part_44 = 0.0099299999999999996 * x[1] + 0.73440000000000005;
+    const double part_45 = (-0.0079000000000000008) * x[1] + 0.2102;
+    const double part_46 = (-0.0441) * x[1] + (-1.6536999999999999);
+    const double y_3 = part_46 * x[0] * 0.25;
+    const double y2_3 = y_3 * y_3;
+    const double part_47 = 0.041223317699999998 + 0.0076543250999999996 * y_3 + y2_3 *
+        0.00084900787100000003;
+    const double part_48 = 0.49997509099999998 + 0.16651516699999999 * y_3 + y2_3 * part_47;
+    const double halo_3 = 0.99999998400000001 + 0.99999845399999998 * y_3 + y2_3 * part_48;
     const double halo2_3 = halo_3 * halo_3;
     const double halo4_3 = halo2_3 * halo2_3;
-    const double part_58 = (-0.0109) * x[1] + 0.052900000000000003;
-    const double part_59 = 1.0 + part_51 * halo4_3 + part_58 * cosine2;
-    const double shape_z = part_50 * part_59;
-    const double of_x = part_49 * shape_z;
-    out[1] = 3.7389855999999999 * of_x;
-    const double part_60 = one * y_zenith;
-    const double of_y = part_60 * shape_x;
-    const double part_61 = one * shape_z;
-    const double of_s = part_61 * shape_x;
-    out[2] = (-0.49853140000000001) * of_s;
-    out[0] = out[1] + (-1.0386070999999999) * of_y + out[2];
-    out[4] = (-1.0108219999999999) * of_x;
-    out[5] = 0.041556000000000003 * of_s;
-    out[3] = out[4] + 1.8344548000000001 * of_y + out[5];
-    out[7] = (-1.0015818000000001) * of_x;
-    out[8] = 1.0572252 * of_s;
-    out[6] = out[7] + (-1.2612511) * of_y + out[8];
-    const double part_62 = part_2 * -1.0;
-    const double part_63 = part_62 * chi + chi * part_62;
-    const double part_64 = -(part_63 * part_8 + square * -(15.0 * part_63));
-    const double part_65 = part_15 * 0.25;
-    const double part_66 = part_65 * part_20 + y * (part_65 * part_19 + y * (part_65 * part_18 + y *
-        (part_65 * part_17 + y * (part_65 * part_16 + y * (part_65 * 0.00084900787100000003)))));
-    const double part_67 = part_66 * halo + halo * part_66;
-    const double part_68 = x[0] + x[0];
-    const double part_69 = -(part_68 * part_22 + z * -(part_68 * 0.03125));
-    const double part_70 = part_69 * cosine + cosine * part_69;
-    const double part_71 = (part_26 * x[0] + part_28) * x[0] + part_30;
-    const double part_72 = part_34 * 0.25;
-    const double part_73 = part_72 * part_39 + y_2 * (part_72 * part_38 + y_2 * (part_72 * part_37 +
-        y_2 * (part_72 * part_36 + y_2 * (part_72 * part_35 + y_2 * (part_72 *
-        0.00084900787100000003)))));
-    const double part_74 = part_73 * halo_2 + halo_2 * part_73;
-    const double part_75 = part_32 * (part_33 * (part_74 * halo2_2 + halo2_2 * part_74) + part_40 *
-        part_70);
-    const double part_76 = (part_1 * (part_62 * part_5 + chi * -(part_63 * part_4 + square *
-        -part_63)) + part_7 * part_64) / part_42 - one * (((part_64 * shape_y + below * (part_13 *
-        (part_14 * (part_67 * halo2 + halo2 * part_67) + part_21 * part_70))) * y_zenith + part_24 *
-        part_71) * shape_x + part_31 * part_75) / part_42;
-    const double part_77 = part_52 * 0.25;
-    const double part_78 = part_77 * part_57 + y_3 * (part_77 * part_56 + y_3 * (part_77 * part_55 +
-        y_3 * (part_77 * part_54 + y_3 * (part_77 * part_53 + y_3 * (part_77 *
-        0.00084900787100000003)))));
-    const double part_79 = part_78 * halo_3 + halo_3 * part_78;
-    const double part_80 = part_50 * (part_51 * (part_79 * halo2_3 + halo2_3 * part_79) + part_58 *
-        part_70);
-    const double part_81 = (part_76 * x_zenith + one * ((part_44 * x[0] + part_46) * x[0] +
-        part_48)) * shape_z + part_49 * part_80;
-    out[10] = 3.7389855999999999 * part_81;
-    const double part_82 = (part_76 * y_zenith + one * part_71) * shape_x + part_60 * part_75;
-    const double part_83 = (part_76 * shape_z + one * part_80) * shape_x + part_61 * part_75;
-    out[11] = (-0.49853140000000001) * part_83;
-    out[9] = out[10] + (-1.0386070999999999) * part_82 + out[11];
-    out[13] = (-1.0108219999999999) * part_81;
-    out[14] = 0.041556000000000003 * part_83;
-    out[12] = out[13] + 1.8344548000000001 * part_82 + out[14];
-    out[16] = (-1.0015818000000001) * part_81;
-    out[17] = 1.0572252 * part_83;
-    out[15] = out[16] + (-1.2612511) * part_82 + out[17];
-    const double part_84 = -0.016666666666666666 * part_3;
-    const double part_85 = part_84 * chi + chi * part_84;
-    const double part_86 = -(part_85 * part_8 + square * -(15.0 * part_85));
-    const double part_87 = (-0.35539999999999999) * part_11 + part_10 * ((-0.35539999999999999) *
+    const double part_49 = (-0.0109) * x[1] + 0.052900000000000003;
+    const double part_50 = 1.0 + part_45 * halo4_3 + part_49 * cosine2;
+    const double shape_z = part_44 * part_50;
+    const double of_x = part_43 * shape_z;
+    out[4] = 3.7389855999999999 * of_x;
+    const double part_51 = one * y_zenith;
+    const double of_y = part_51 * shape_x;
+    const double part_52 = one * shape_z;
+    const double of_s = part_52 * shape_x;
+    out[8] = (-0.49853140000000001) * of_s;
+    out[0] = out[4] + (-1.0386070999999999) * of_y + out[8];
+    out[5] = (-1.0108219999999999) * of_x;
+    out[9] = 0.041556000000000003 * of_s;
+    out[1] = out[5] + 1.8344548000000001 * of_y + out[9];
+    out[6] = (-1.0015818000000001) * of_x;
+    out[10] = 1.0572252 * of_s;
+    out[2] = out[6] + (-1.2612511) * of_y + out[10];
+    const double part_53 = part_2 * -1.0;
+    const double part_54 = part_53 * chi + chi * part_53;
+    const double part_55 = -(part_54 * part_8 + square * -(15.0 * part_54));
+    const double part_56 = part_15 * 0.25;
+    const double part_57 = part_56 * y + y * part_56;
+    const double part_58 = 0.99999845399999998 * part_56 + (part_57 * part_17 + y2 *
+        (0.16651516699999999 * part_56 + (part_57 * part_16 + y2 * (0.0076543250999999996 * part_56
+        + part_57 * 0.00084900787100000003))));
+    const double part_59 = part_58 * halo + halo * part_58;
+    const double part_60 = x[0] + x[0];
+    const double part_61 = -(part_60 * part_19 + z * -(part_60 * 0.03125));
+    const double part_62 = part_61 * cosine + cosine * part_61;
+    const double part_63 = (part_23 * x[0] + part_25) * x[0] + part_27;
+    const double part_64 = part_31 * 0.25;
+    const double part_65 = part_64 * y_2 + y_2 * part_64;
+    const double part_66 = 0.99999845399999998 * part_64 + (part_65 * part_33 + y2_2 *
+        (0.16651516699999999 * part_64 + (part_65 * part_32 + y2_2 * (0.0076543250999999996 *
+        part_64 + part_65 * 0.00084900787100000003))));
+    const double part_67 = part_66 * halo_2 + halo_2 * part_66;
+    const double part_68 = part_29 * (part_30 * (part_67 * halo2_2 + halo2_2 * part_67) + part_34 *
+        part_62);
+    const double part_69 = (part_1 * (part_53 * part_5 + chi * -(part_54 * part_4 + square *
+        -part_54)) + part_7 * part_55) / part_36 - one * (((part_55 * shape_y + below * (part_13 *
+        (part_14 * (part_59 * halo2 + halo2 * part_59) + part_18 * part_62))) * y_zenith + part_21 *
+        part_63) * shape_x + part_28 * part_68) / part_36;
+    const double part_70 = part_46 * 0.25;
+    const double part_71 = part_70 * y_3 + y_3 * part_70;
+    const double part_72 = 0.99999845399999998 * part_70 + (part_71 * part_48 + y2_3 *
+        (0.16651516699999999 * part_70 + (part_71 * part_47 + y2_3 * (0.0076543250999999996 *
+        part_70 + part_71 * 0.00084900787100000003))));
+    const double part_73 = part_72 * halo_3 + halo_3 * part_72;
+    const double part_74 = part_44 * (part_45 * (part_73 * halo2_3 + halo2_3 * part_73) + part_49 *
+        part_62);
+    const double part_75 = (part_69 * x_zenith + one * ((part_38 * x[0] + part_40) * x[0] +
+        part_42)) * shape_z + part_43 * part_74;
+    out[16] = 3.7389855999999999 * part_75;
+    const double part_76 = (part_69 * y_zenith + one * part_63) * shape_x + part_51 * part_68;
+    const double part_77 = (part_69 * shape_z + one * part_74) * shape_x + part_52 * part_68;
+    out[20] = (-0.49853140000000001) * part_77;
+    out[12] = out[16] + (-1.0386070999999999) * part_76 + out[20];
+    out[17] = (-1.0108219999999999) * part_75;
+    out[21] = 0.041556000000000003 * part_77;
+    out[13] = out[17] + 1.8344548000000001 * part_76 + out[21];
+    out[18] = (-1.0015818000000001) * part_75;
+    out[22] = 1.0572252 * part_77;
+    out[14] = out[18] + (-1.2612511) * part_76 + out[22];
+    const double part_78 = -0.016666666666666666 * part_3;
+    const double part_79 = part_78 * chi + chi * part_78;
+    const double part_80 = -(part_79 * part_8 + square * -(15.0 * part_79));
+    const double part_81 = (-0.35539999999999999) * part_11 + part_10 * ((-0.35539999999999999) *
         0.03125);
-    const double part_88 = part_87 * up + up * part_87;
-    const double part_89 = 0.1206 * x[0] * 0.25;
-    const double part_90 = part_89 * part_20 + y * (part_89 * part_19 + y * (part_89 * part_18 + y *
-        (part_89 * part_17 + y * (part_89 * part_16 + y * (part_89 * 0.00084900787100000003)))));
-    const double part_91 = part_90 * halo + halo * part_90;
-    const double part_92 = (((0.0027499999999999998 * x[1] + part_25) * x[0] +
-        ((-0.0061000000000000004) * x[1] + part_27)) * x[0] + (0.0031700000000000001 * x[1] +
-        part_29)) * x[0] + 0.0051599999999999997;
-    const double part_93 = (-0.064100000000000004) * x[0] * 0.25;
-    const double part_94 = part_93 * part_39 + y_2 * (part_93 * part_38 + y_2 * (part_93 * part_37 +
-        y_2 * (part_93 * part_36 + y_2 * (part_93 * part_35 + y_2 * (part_93 *
-        0.00084900787100000003)))));
-    const double part_95 = part_94 * halo_2 + halo_2 * part_94;
-    const double part_96 = 0.0025000000000000001 * part_41 + part_32 * ((-0.00040000000000000002) *
-        halo4_2 + part_33 * (part_95 * halo2_2 + halo2_2 * part_95) + (-0.0033) * cosine2);
-    const double part_97 = (4045.3000000000002 * part_6 + part_1 * (part_84 * part_5 + chi *
-        -(part_85 * part_4 + square * -part_85)) + (-215.5 * below + part_7 * part_86)) / part_42 -
-        one * (((part_86 * shape_y + below * ((0.1787 * part_12 + part_9 * (part_88 * up2 + up2 *
-        part_88)) * part_23 + part_13 * ((-0.022700000000000001) * halo4 + part_14 * (part_91 *
-        halo2 + halo2 * part_91) + (-0.067000000000000004) * cosine2))) * y_zenith + part_24 *
-        part_92) * shape_x + part_31 * part_96) / part_42;
-    const double part_98 = (-0.0441) * x[0] * 0.25;
-    const double part_99 = part_98 * part_57 + y_3 * (part_98 * part_56 + y_3 * (part_98 * part_55 +
-        y_3 * (part_98 * part_54 + y_3 * (part_98 * part_53 + y_3 * (part_98 *
-        0.00084900787100000003)))));
-    const double part_100 = part_99 * halo_3 + halo_3 * part_99;
-    const double part_101 = 0.0099299999999999996 * part_59 + part_50 * ((-0.0079000000000000008) *
-        halo4_3 + part_51 * (part_100 * halo2_3 + halo2_3 * part_100) + (-0.0109) * cosine2);
-    const double part_102 = (part_97 * x_zenith + one * ((((0.00166 * x[1] + part_43) * x[0] +
-        ((-0.0037499999999999999) * x[1] + part_45)) * x[0] + (0.0020899999999999998 * x[1] +
-        part_47)) * x[0] + 0.0039399999999999999)) * shape_z + part_49 * part_101;
-    out[19] = 3.7389855999999999 * part_102;
-    const double part_103 = (part_97 * y_zenith + one * part_92) * shape_x + part_60 * part_96;
-    const double part_104 = (part_97 * shape_z + one * part_101) * shape_x + part_61 * part_96;
-    out[20] = (-0.49853140000000001) * part_104;
-    out[18] = out[19] + (-1.0386070999999999) * part_103 + out[20];
-    out[22] = (-1.0108219999999999) * part_102;
-    out[23] = 0.041556000000000003 * part_104;
-    out[21] = out[22] + 1.8344548000000001 * part_103 + out[23];
-    out[25] = (-1.0015818000000001) * part_102;
-    out[26] = 1.0572252 * part_104;
-    out[24] = out[25] + (-1.2612511) * part_103 + out[26];
+    const double part_82 = part_81 * up + up * part_81;
+    const double part_83 = 0.1206 * x[0] * 0.25;
+    const double part_84 = part_83 * y + y * part_83;
+    const double part_85 = 0.99999845399999998 * part_83 + (part_84 * part_17 + y2 *
+        (0.16651516699999999 * part_83 + (part_84 * part_16 + y2 * (0.0076543250999999996 * part_83
+        + part_84 * 0.00084900787100000003))));
+    const double part_86 = part_85 * halo + halo * part_85;
+    const double part_87 = (((0.0027499999999999998 * x[1] + part_22) * x[0] +
+        ((-0.0061000000000000004) * x[1] + part_24)) * x[0] + (0.0031700000000000001 * x[1] +
+        part_26)) * x[0] + 0.0051599999999999997;
+    const double part_88 = (-0.064100000000000004) * x[0] * 0.25;
+    const double part_89 = part_88 * y_2 + y_2 * part_88;
+    const double part_90 = 0.99999845399999998 * part_88 + (part_89 * part_33 + y2_2 *
+        (0.16651516699999999 * part_88 + (part_89 * part_32 + y2_2 * (0.0076543250999999996 *
+        part_88 + part_89 * 0.00084900787100000003))));
+    const double part_91 = part_90 * halo_2 + halo_2 * part_90;
+    const double part_92 = 0.0025000000000000001 * part_35 + part_29 * ((-0.00040000000000000002) *
+        halo4_2 + part_30 * (part_91 * halo2_2 + halo2_2 * part_91) + (-0.0033) * cosine2);
+    const double part_93 = (4045.3000000000002 * part_6 + part_1 * (part_78 * part_5 + chi *
+        -(part_79 * part_4 + square * -part_79)) + (-215.5 * below + part_7 * part_80)) / part_36 -
+        one * (((part_80 * shape_y + below * ((0.1787 * part_12 + part_9 * (part_82 * up2 + up2 *
+        part_82)) * part_20 + part_13 * ((-0.022700000000000001) * halo4 + part_14 * (part_86 *
+        halo2 + halo2 * part_86) + (-0.067000000000000004) * cosine2))) * y_zenith + part_21 *
+        part_87) * shape_x + part_28 * part_92) / part_36;
+    const double part_94 = (-0.0441) * x[0] * 0.25;
+    const double part_95 = part_94 * y_3 + y_3 * part_94;
+    const double part_96 = 0.99999845399999998 * part_94 + (part_95 * part_48 + y2_3 *
+        (0.16651516699999999 * part_94 + (part_95 * part_47 + y2_3 * (0.0076543250999999996 *
+        part_94 + part_95 * 0.00084900787100000003))));
+    const double part_97 = part_96 * halo_3 + halo_3 * part_96;
+    const double part_98 = 0.0099299999999999996 * part_50 + part_44 * ((-0.0079000000000000008) *
+        halo4_3 + part_45 * (part_97 * halo2_3 + halo2_3 * part_97) + (-0.0109) * cosine2);
+    const double part_99 = (part_93 * x_zenith + one * ((((0.00166 * x[1] + part_37) * x[0] +
+        ((-0.0037499999999999999) * x[1] + part_39)) * x[0] + (0.0020899999999999998 * x[1] +
+        part_41)) * x[0] + 0.0039399999999999999)) * shape_z + part_43 * part_98;
+    out[28] = 3.7389855999999999 * part_99;
+    const double part_100 = (part_93 * y_zenith + one * part_87) * shape_x + part_51 * part_92;
+    const double part_101 = (part_93 * shape_z + one * part_98) * shape_x + part_52 * part_92;
+    out[32] = (-0.49853140000000001) * part_101;
+    out[24] = out[28] + (-1.0386070999999999) * part_100 + out[32];
+    out[29] = (-1.0108219999999999) * part_99;
+    out[33] = 0.041556000000000003 * part_101;
+    out[25] = out[29] + 1.8344548000000001 * part_100 + out[33];
+    out[30] = (-1.0015818000000001) * part_99;
+    out[34] = 1.0572252 * part_101;
+    out[26] = out[30] + (-1.2612511) * part_100 + out[34];
     (void)x;
 }
 
@@ -901,7 +1173,8 @@ static inline int skylight_sh_7_bands_0_1pct_packed_inputs(const float
         skylight_sh_7_bands_0_1pct_packed_kind(inputs[axis]);
     if (strange & 2) return 2;
     for (axis = 0; axis < SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_AXES; ++axis) {
-        const float v = skylight_sh_7_bands_0_1pct_packed_finite(inputs[axis]);
+        const float v = strange ? skylight_sh_7_bands_0_1pct_packed_finite(inputs[axis]) :
+            inputs[axis];
         const skylight_sh_7_bands_0_1pct_packed_real low =
             skylight_sh_7_bands_0_1pct_packed_range[axis][0],
             high = skylight_sh_7_bands_0_1pct_packed_range[axis][1];
@@ -915,115 +1188,34 @@ static inline int skylight_sh_7_bands_0_1pct_packed_inputs(const float
     return status;
 }
 
-/* Numbers side by side where the compiler has vector types: as many as the processor's registers
-   hold, and four. */
-#if defined(__GNUC__) && (defined(__SSE__) || defined(__ARM_NEON) || defined(__ALTIVEC__) || \
-                          defined(__wasm_simd128__) || defined(__loongarch_sx))
-#if defined(__AVX512F__)
-#define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_LANES 16
-#elif defined(__AVX__)
-#define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_LANES 8
-#else
-#define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_LANES 4
-#endif
-#endif
-/* What is worth its place in every caller. */
-#ifdef __GNUC__
-#define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_INLINE static inline __attribute__((always_inline))
-#else
-#define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_INLINE static inline
-#endif
-#ifdef SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_LANES
-#ifdef __FMA__
-/* One operation for a product and a sum, which standard C may not choose by itself. */
-#include <immintrin.h>
-#endif
-typedef float skylight_sh_7_bands_0_1pct_packed_lanes __attribute__((vector_size(4 *
-    SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_LANES)));
-typedef float skylight_sh_7_bands_0_1pct_packed_four __attribute__((vector_size(16)));
-typedef int skylight_sh_7_bands_0_1pct_packed_order __attribute__((vector_size(16)));
-
-/* The same number in all places: v - 0 is v, which 0 + v need not be. */
-static inline skylight_sh_7_bands_0_1pct_packed_lanes skylight_sh_7_bands_0_1pct_packed_spread(float
-    v)
+/* The cosine and sine of an angle. */
+static inline void skylight_sh_7_bands_0_1pct_packed_circle(skylight_sh_7_bands_0_1pct_packed_real
+    angle, skylight_sh_7_bands_0_1pct_packed_real *cosine,
+                                      skylight_sh_7_bands_0_1pct_packed_real *sine)
 {
-    const skylight_sh_7_bands_0_1pct_packed_lanes zeros = {0};
-    return v - zeros;
+    /* By the nearest quarter turn and the rest of it: without a branch, which a processor would
+     * have
+       to guess. The rest in double, since the two nearly cancel. */
+    float out[2];
+    uint32_t bits[2], quarter, swapped;
+    int quarters;
+    if (!(angle > -1e5f && angle < 1e5f)) {
+        *cosine = cosf(angle);
+        *sine = sinf(angle);
+        return;
+    }
+    quarters = (int)(angle * 0.636619772f + copysignf(0.5f, angle));
+    skylight_sh_7_bands_0_1pct_packed_quarter((float)((double)angle - (double)quarters *
+        1.5707963267948966), out);
+    memcpy(bits, out, sizeof bits);
+    quarter = (uint32_t)quarters;
+    /* Odd quarters swap the two; each changes its sign in two of four. */
+    swapped = (bits[0] ^ bits[1]) & (0u - (quarter & 1u));
+    bits[0] ^= swapped ^ (((quarter + 1u) & 2u) << 30);
+    bits[1] ^= swapped ^ ((quarter & 2u) << 30);
+    memcpy(cosine, &bits[0], sizeof bits[0]);
+    memcpy(sine, &bits[1], sizeof bits[1]);
 }
-
-static inline skylight_sh_7_bands_0_1pct_packed_lanes skylight_sh_7_bands_0_1pct_packed_load(const
-    float *from)
-{
-    skylight_sh_7_bands_0_1pct_packed_lanes v;
-    memcpy(&v, from, sizeof v);
-    return v;
-}
-
-/* a * b + c. */
-static inline skylight_sh_7_bands_0_1pct_packed_lanes
-    skylight_sh_7_bands_0_1pct_packed_add(skylight_sh_7_bands_0_1pct_packed_lanes a,
-    skylight_sh_7_bands_0_1pct_packed_lanes b,
-                                                skylight_sh_7_bands_0_1pct_packed_lanes c)
-{
-#if defined(__FMA__) && SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_LANES == 16
-    return _mm512_fmadd_ps(a, b, c);
-#elif defined(__FMA__) && SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_LANES == 8
-    return _mm256_fmadd_ps(a, b, c);
-#else
-    return a * b + c;
-#endif
-}
-
-static inline skylight_sh_7_bands_0_1pct_packed_four
-    skylight_sh_7_bands_0_1pct_packed_spread_four(float v)
-{
-    const skylight_sh_7_bands_0_1pct_packed_four zeros = {0};
-    return v - zeros;
-}
-
-static inline skylight_sh_7_bands_0_1pct_packed_four
-    skylight_sh_7_bands_0_1pct_packed_load_four(const float *from)
-{
-    skylight_sh_7_bands_0_1pct_packed_four v;
-    memcpy(&v, from, sizeof v);
-    return v;
-}
-
-static inline skylight_sh_7_bands_0_1pct_packed_four
-    skylight_sh_7_bands_0_1pct_packed_add_four(skylight_sh_7_bands_0_1pct_packed_four a,
-    skylight_sh_7_bands_0_1pct_packed_four b,
-                                                    skylight_sh_7_bands_0_1pct_packed_four c)
-{
-#ifdef __FMA__
-    return _mm_fmadd_ps(a, b, c);
-#else
-    return a * b + c;
-#endif
-}
-
-static inline void skylight_sh_7_bands_0_1pct_packed_keep(float *to,
-    skylight_sh_7_bands_0_1pct_packed_four v)
-{
-    memcpy(to, &v, sizeof v);
-}
-
-/* Four of the eight numbers of two vectors. */
-#ifdef __clang__
-#define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_PICK(v, w, a, b, c, d) __builtin_shufflevector(v, w, a, \
-    b, c, d)
-#else
-#define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_PICK(v, w, a, b, c, d) \
-    skylight_sh_7_bands_0_1pct_packed_pick(v, w, a, b, c, d)
-static inline skylight_sh_7_bands_0_1pct_packed_four
-    skylight_sh_7_bands_0_1pct_packed_pick(skylight_sh_7_bands_0_1pct_packed_four v,
-    skylight_sh_7_bands_0_1pct_packed_four w, int a,
-                                                int b, int c, int d)
-{
-    const skylight_sh_7_bands_0_1pct_packed_order order = {a, b, c, d};
-    return __builtin_shuffle(v, w, order);
-}
-#endif
-#endif
 
 /* One channel's sums, from those of its classes. */
 static inline void skylight_sh_7_bands_0_1pct_packed_mix(skylight_sh_7_bands_0_1pct_packed_real
@@ -1035,11 +1227,10 @@ static inline void skylight_sh_7_bands_0_1pct_packed_mix(skylight_sh_7_bands_0_1
     int i;
     int k;
     for (i = 0; i < SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_WIDTH; ++i)
-        mixed[i] = factors[channel * SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_CLASSES] * sums[0][i];
+        mixed[i] = factors[SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_FACTOR(channel, 0)] * sums[0][i];
     for (k = 1; k < SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_CLASSES; ++k)
         for (i = 0; i < SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_WIDTH; ++i)
-            mixed[i] += factors[channel * SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_CLASSES + k] *
-                sums[k][i];
+            mixed[i] += factors[SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_FACTOR(channel, k)] * sums[k][i];
 }
 
 /* Orders m >= 0 alone are stored: those of a light that is even in y at azimuth 0. */
@@ -1084,12 +1275,12 @@ static inline void skylight_sh_7_bands_0_1pct_packed_store(
         skylight_sh_7_bands_0_1pct_packed_four v[SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_FOURS];
         for (q = 0; q < SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_FOURS; ++q) {
             int k;
-            v[q] = factors[channel * SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_CLASSES] *
-                skylight_sh_7_bands_0_1pct_packed_load_four(sums[0] + 4 * q);
+            v[q] = factors[SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_FACTOR(channel,
+                0)] * skylight_sh_7_bands_0_1pct_packed_load_four(sums[0] + 4 * q);
             for (k = 1; k < SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_CLASSES; ++k)
                 v[q] = skylight_sh_7_bands_0_1pct_packed_add_four(
-                    skylight_sh_7_bands_0_1pct_packed_spread_four(factors[channel *
-                        SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_CLASSES + k]),
+                    skylight_sh_7_bands_0_1pct_packed_spread_four(factors
+                        [SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_FACTOR(channel, k)]),
                     skylight_sh_7_bands_0_1pct_packed_load_four(sums[k] + 4 * q), v[q]);
         }
 #define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_BAND(l, stores) \
@@ -1145,6 +1336,10 @@ static inline void skylight_sh_7_bands_0_1pct_packed_store(
 #define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_BLOCK \
     ((SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_VECTORS(SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_WIDTH) + \
         SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_BLOCKS - 1) / SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_BLOCKS)
+/* What is done for each vector of a block: written out, since a compiler that keeps loops keeps
+ * their
+   vectors in memory. */
+#define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_EACH(DO) DO(0) DO(1) DO(2) DO(3) DO(4) DO(5) DO(6) DO(7)
 #endif
 
 /* The products of the functions of all axes, of one class in the order of its rows. */
@@ -1182,41 +1377,52 @@ static inline void skylight_sh_7_bands_0_1pct_packed_sum_block(const
                                          const skylight_sh_7_bands_0_1pct_packed_real *products,
                                              skylight_sh_7_bands_0_1pct_packed_real *sums)
 {
-    skylight_sh_7_bands_0_1pct_packed_lanes
-        total[SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_SIDE][SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_BLOCK];
-    int t, i, k;
-    for (i = 0; i < SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_SIDE; ++i)
-        for (k = 0; k < SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_BLOCK; ++k) total[i][k] =
-            skylight_sh_7_bands_0_1pct_packed_spread(0);
+    skylight_sh_7_bands_0_1pct_packed_lanes total[8];
+    int t;
+#define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_ZERO(k) total[k] = \
+    skylight_sh_7_bands_0_1pct_packed_spread(0);
+    /* Vector k of so many rows side by side. */
+#define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_ROWS(k) \
+    if ((k) / SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_BLOCK < SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_SIDE) \
+        total[k] = skylight_sh_7_bands_0_1pct_packed_add( \
+            skylight_sh_7_bands_0_1pct_packed_spread(products[t + (k) / \
+                SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_BLOCK]), \
+            skylight_sh_7_bands_0_1pct_packed_load(row + (k) / \
+                SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_BLOCK * SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_WIDTH \
+                + \
+                             (k) % SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_BLOCK * \
+                                 SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_LANES), \
+            total[k]);
+#define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_ROW(k) \
+    if ((k) < SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_BLOCK) \
+        total[k] = \
+            skylight_sh_7_bands_0_1pct_packed_add(skylight_sh_7_bands_0_1pct_packed_spread( \
+            products[t]), \
+                                   skylight_sh_7_bands_0_1pct_packed_load(row + (k) * \
+                                       SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_LANES), total[k]);
+#define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_SIDES(k) \
+    if ((k) >= SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_BLOCK) total[(k) % \
+        SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_BLOCK] += total[k];
+#define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_SUM(k) \
+    if ((k) < SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_BLOCK) memcpy(sums + (k) * \
+        SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_LANES, &total[k], sizeof total[k]);
+    SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_EACH(SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_ZERO)
     for (t = 0; t + SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_SIDE <= terms; t +=
         SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_SIDE) {
-        for (i = 0; i < SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_SIDE; ++i) {
-            const skylight_sh_7_bands_0_1pct_packed_lanes product =
-                skylight_sh_7_bands_0_1pct_packed_spread(products[t + i]);
-            for (k = 0; k < SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_BLOCK; ++k)
-                total[i][k] = skylight_sh_7_bands_0_1pct_packed_add(
-                    product, skylight_sh_7_bands_0_1pct_packed_load(row + i *
-                        SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_WIDTH + k *
-                        SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_LANES),
-                    total[i][k]);
-        }
+        SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_EACH(SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_ROWS)
         row += SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_SIDE * SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_WIDTH;
     }
     for (; t < terms; ++t) {
-        const skylight_sh_7_bands_0_1pct_packed_lanes product =
-            skylight_sh_7_bands_0_1pct_packed_spread(products[t]);
-        for (k = 0; k < SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_BLOCK; ++k)
-            total[0][k] = skylight_sh_7_bands_0_1pct_packed_add(product,
-                skylight_sh_7_bands_0_1pct_packed_load(row + k *
-                SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_LANES),
-                                          total[0][k]);
+        SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_EACH(SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_ROW)
         row += SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_WIDTH;
     }
-    for (k = 0; k < SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_BLOCK; ++k) {
-        for (i = 1; i < SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_SIDE; ++i) total[0][k] += total[i][k];
-        memcpy(sums + k * SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_LANES, &total[0][k],
-            sizeof total[0][k]);
-    }
+    SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_EACH(SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_SIDES)
+    SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_EACH(SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_SUM)
+#undef SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_ZERO
+#undef SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_ROWS
+#undef SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_ROW
+#undef SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_SIDES
+#undef SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_SUM
 }
 
 /* The same for one vector of each row. */
@@ -1356,14 +1562,26 @@ typedef struct {
     int count;
 } skylight_sh_7_bands_0_1pct_packed_bits;
 
-static inline void skylight_sh_7_bands_0_1pct_packed_fill(skylight_sh_7_bands_0_1pct_packed_bits *b)
+/* Holds at least 56 bits, at most 63, so that there is a zero above them; past the stream's end
+ * there
+   are zeros. What stands above `count` bits is the stream's too, and is read again. */
+SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_INLINE void
+    skylight_sh_7_bands_0_1pct_packed_fill(skylight_sh_7_bands_0_1pct_packed_bits *b)
 {
     const unsigned char *const end = skylight_sh_7_bands_0_1pct_packed_stream + sizeof
         skylight_sh_7_bands_0_1pct_packed_stream;
-    /* At most 63 bits, so that there is a zero above them. */
-    while (b->count < 56 && b->next < end) {
-        b->held |= (uint64_t)*b->next++ << b->count;
-        b->count += 8;
+    const unsigned char *const p = b->next;
+    if (end - p >= 8) {
+        /* One load, whatever the order of a machine's bytes. */
+        const uint64_t word = (uint64_t)p[0] | (uint64_t)p[1] << 8 | (uint64_t)p[2] << 16 |
+                              (uint64_t)p[3] << 24 | (uint64_t)p[4] << 32 | (uint64_t)p[5] << 40 |
+                              (uint64_t)p[6] << 48 | (uint64_t)p[7] << 56;
+        b->held = (b->held | word << b->count) & (UINT64_MAX >> 1);
+        b->next += (63 - b->count) >> 3;
+        b->count |= 56;
+    } else {
+        for (; b->count < 56; b->count += 8)
+            if (b->next < end) b->held |= (uint64_t)*b->next++ << b->count;
     }
 }
 
@@ -1391,25 +1609,48 @@ static inline int skylight_sh_7_bands_0_1pct_packed_ones(uint64_t held)
 #endif
 }
 
-/* A Rice code of `low` low bits: ones, a zero, the low bits; then folded back: 0, 1, 2, 3 -> 0, -1,
-   1, -2. */
-static inline int skylight_sh_7_bands_0_1pct_packed_rice(skylight_sh_7_bands_0_1pct_packed_bits *b,
-    int low)
+/* The bits after a Rice code that is longer than what is held, and its number, folded. */
+static inline skylight_sh_7_bands_0_1pct_packed_bits
+    skylight_sh_7_bands_0_1pct_packed_long(skylight_sh_7_bands_0_1pct_packed_bits b, int low,
+    unsigned *folded)
 {
-    unsigned high = 0, folded;
+    unsigned high = 0;
     int ones;
-    if (b->count < 32) skylight_sh_7_bands_0_1pct_packed_fill(b);
-    while ((ones = skylight_sh_7_bands_0_1pct_packed_ones(b->held)) >= b->count) {
-        high += (unsigned)b->count;
-        b->held = 0;
-        b->count = 0;
-        skylight_sh_7_bands_0_1pct_packed_fill(b);
+    while ((ones = skylight_sh_7_bands_0_1pct_packed_ones(b.held)) >= b.count) {
+        high += (unsigned)b.count;
+        b.held = 0;
+        b.count = 0;
+        skylight_sh_7_bands_0_1pct_packed_fill(&b);
     }
     high += (unsigned)ones;
-    b->held = b->held >> ones >> 1;
-    b->count -= ones + 1;
-    folded = (high << low) | skylight_sh_7_bands_0_1pct_packed_fixed(b, low);
-    return folded & 1 ? -(int)(folded >> 1) - 1 : (int)(folded >> 1);
+    b.held = b.held >> ones >> 1;
+    b.count -= ones + 1;
+    *folded = (high << low) | skylight_sh_7_bands_0_1pct_packed_fixed(&b, low);
+    return b;
+}
+
+/* A Rice code of `low` low bits: ones, a zero, the low bits; then folded back: 0, 1, 2, 3 -> 0, -1,
+   1, -2. */
+SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_INLINE int
+    skylight_sh_7_bands_0_1pct_packed_rice(skylight_sh_7_bands_0_1pct_packed_bits *b, int low)
+{
+    unsigned folded;
+    int ones, size;
+    if (b->count < 32) skylight_sh_7_bands_0_1pct_packed_fill(b);
+    ones = skylight_sh_7_bands_0_1pct_packed_ones(b->held);
+    size = ones + 1 + low;
+    if (size <= b->count) {
+        /* All of it is held: what follows waits for one shift. */
+        const uint64_t rest = b->held >> ones >> 1;
+        folded = ((unsigned)ones << low) | (unsigned)(rest & ((UINT64_C(1) << low) - 1));
+        b->held >>= size;
+        b->count -= size;
+    } else {
+        unsigned found;
+        *b = skylight_sh_7_bands_0_1pct_packed_long(*b, low, &found);
+        folded = found;
+    }
+    return (int)(folded >> 1) ^ -(int)(folded & 1);
 }
 
 /* The stream from its start. */
@@ -1433,7 +1674,7 @@ static inline void
 }
 
 /* The length of the next run, by that of the same class and product at the weight before. */
-static inline int
+SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_INLINE int
     skylight_sh_7_bands_0_1pct_packed_next_length(skylight_sh_7_bands_0_1pct_packed_bits *b,
     signed char *length)
 {
@@ -1443,7 +1684,7 @@ static inline int
 }
 
 /* The next number, of `size` half low bits. */
-static inline int
+SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_INLINE int
     skylight_sh_7_bands_0_1pct_packed_next_number(skylight_sh_7_bands_0_1pct_packed_bits *b,
     int size)
 {
@@ -1607,11 +1848,9 @@ static inline int skylight_sh_7_bands_0_1pct_packed_evaluate(const
         sines[SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_BANDS];
     skylight_sh_7_bands_0_1pct_packed_real
         sums[SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_CLASSES][SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_ROOM];
-    skylight_sh_7_bands_0_1pct_packed_real factors[SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_CHANNELS *
-        SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_CLASSES];
+    skylight_sh_7_bands_0_1pct_packed_real factors[SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_FACTORS];
     skylight_sh_7_bands_0_1pct_packed_real light = SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_EXPOSURE,
-        radius = 1;
-    skylight_sh_7_bands_0_1pct_packed_real early[SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_EARLY];
+        radius = 1, cosine, sine;
     int i, all, status = skylight_sh_7_bands_0_1pct_packed_inputs(inputs, azimuth, x);
     if (status == 2) {
         memset(weights, 0, sizeof(float) * SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_CHANNELS *
@@ -1622,26 +1861,21 @@ static inline int skylight_sh_7_bands_0_1pct_packed_evaluate(const
         bands = bands < 1 ? 1 : SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_BANDS;
         status = 1;
     }
-    /* First what the library computes: calls keep no registers. */
+    skylight_sh_7_bands_0_1pct_packed_circle((skylight_sh_7_bands_0_1pct_packed_real)azimuth,
+        &cosine, &sine);
     radius = skylight_sh_7_bands_0_1pct_packed_sine(x);
-    skylight_sh_7_bands_0_1pct_packed_waves((skylight_sh_7_bands_0_1pct_packed_real)azimuth, radius,
-        cosines, sines);
+    skylight_sh_7_bands_0_1pct_packed_waves(cosine, sine, radius, cosines, sines);
     skylight_sh_7_bands_0_1pct_packed_first(x, first);
     skylight_sh_7_bands_0_1pct_packed_others(x, others);
-    skylight_sh_7_bands_0_1pct_packed_begin_factors(x, early);
+    skylight_sh_7_bands_0_1pct_packed_factors(x, factors);
+    for (i = 0; i < SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_FACTORS; ++i) factors[i] *= light;
     all = bands;
     if (!rows) skylight_sh_7_bands_0_1pct_packed_sum_stream(first, others, all, sums);
-    if (rows)
-        skylight_sh_7_bands_0_1pct_packed_sum_class(rows, 0, first, others, all, sums[0]);
-    /* Between sums: what has begun above waits for itself, and there is more to do meanwhile. */
-    skylight_sh_7_bands_0_1pct_packed_end_factors(x, early, factors);
-    for (i = 0; i < SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_CHANNELS *
-        SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_CLASSES; ++i) factors[i] *= light;
     if (rows)
     {
 #define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_CLASS(k) \
     skylight_sh_7_bands_0_1pct_packed_sum_class(rows, k, first, others, all, sums[k]);
-        SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_OTHER_CLASSES(SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_CLASS)
+        SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_ALL_CLASSES(SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_CLASS)
 #undef SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_CLASS
     }
     skylight_sh_7_bands_0_1pct_packed_store(sums, factors, cosines, sines, all, weights);
@@ -1674,6 +1908,10 @@ static inline int skylight_sh_7_bands_0_1pct_packed_evaluate_one(const
                                 SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_BANDS, weights);
 }
 
+/* Numbers of one sun's weights. */
+#define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_NUMBERS (SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_CHANNELS * \
+    SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_WEIGHTS)
+
 /* Evaluates `count` suns from arrays, one an axis, and one of azimuths (or none, where the table
    fixes it); returns the largest status. */
 static inline int skylight_sh_7_bands_0_1pct_packed_evaluate_batch(
@@ -1683,8 +1921,8 @@ static inline int skylight_sh_7_bands_0_1pct_packed_evaluate_batch(
         (*weights)[SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_CHANNELS]
         [SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_WEIGHTS])
 {
-    int s, status, worst = 0;
-    for (s = 0; s < count; ++s) {
+    int s = 0, status, worst = 0;
+    for (; s < count; ++s) {
         status = skylight_sh_7_bands_0_1pct_packed_evaluate_one(rows, inputs, azimuths, s,
             weights[s]);
         worst = status > worst ? status : worst;
@@ -1713,8 +1951,7 @@ static inline int skylight_sh_7_bands_0_1pct_packed_evaluate_columns(const
                 some[k]);
             worst = status > worst ? status : worst;
         }
-        for (i = 0; i < SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_CHANNELS *
-            SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_WEIGHTS; ++i)
+        for (i = 0; i < SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_NUMBERS; ++i)
             for (k = 0; k < now; ++k)
                 weights[(size_t)i * step + (size_t)(s + k)] =
                     some[k][i / SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_WEIGHTS][i %
@@ -1766,7 +2003,7 @@ static inline double skylight_sh_7_bands_0_1pct_packed_mixed_double(double
     double sum = 0.0;
     int k;
     for (k = 0; k < SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_CLASSES; ++k)
-        sum += factors[channel * SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_CLASSES + k] * sums[k][column];
+        sum += factors[SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_FACTOR(channel, k)] * sums[k][column];
     return sum;
 }
 
@@ -1795,7 +2032,7 @@ static inline int skylight_sh_7_bands_0_1pct_packed_evaluate_gradient(
     double powers[SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_BANDS],
         power_slopes[SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_BANDS];
     skylight_sh_7_bands_0_1pct_packed_real cosines[SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_BANDS],
-        sines[SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_BANDS];
+        sines[SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_BANDS], of_x, of_y;
     int axis, channel, i, l, m, sunk = 0;
     const int status =
         skylight_sh_7_bands_0_1pct_packed_evaluate(rows, inputs, azimuth,
@@ -1828,8 +2065,9 @@ static inline int skylight_sh_7_bands_0_1pct_packed_evaluate_gradient(
             power_slopes[m] = (double)m * powers[m - 1] * sine[1];
         }
     }
-    skylight_sh_7_bands_0_1pct_packed_waves((skylight_sh_7_bands_0_1pct_packed_real)azimuth, 1,
-        cosines, sines);
+    skylight_sh_7_bands_0_1pct_packed_circle((skylight_sh_7_bands_0_1pct_packed_real)azimuth, &of_x,
+        &of_y);
+    skylight_sh_7_bands_0_1pct_packed_waves(of_x, of_y, 1, cosines, sines);
     skylight_sh_7_bands_0_1pct_packed_sum_double(rows, functions, sums);
     for (axis = 0; axis < SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_AXES; ++axis) {
         double kept[SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_MOST];

@@ -31,11 +31,11 @@
  *   Define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_EXPOSURE before this file (where it holds the table)
  *   to multiply all weights (1 by default).
  *
- * Accuracy, as shipped: E_mean 1.34 %, E_max 5.85 % of the least luminance of the same sky, at
+ * Accuracy, as shipped: E_mean 1.43 %, E_max 6.18 % of the least luminance of the same sky, at
  * azimuth 0.
- * The expansion rings: the least value it takes, over all directions and measured sets, is -12.7 %
+ * The expansion rings: the least value it takes, over all directions and measured sets, is -12.5 %
  * of its largest in the same set; the window below tames it.
- * Memory: 1137 bytes of constants, packed into few bytes (a fast table takes more and less time).
+ * Memory: 1125 bytes of constants, packed into few bytes (a fast table takes more and less time).
  *
  * Provenance
  *   skylight-sh 0.1.0, config preetham 08540d17388f71b0, table 7-bands-1.5pct-packed
@@ -65,7 +65,7 @@ before."
 #endif
 
 #ifndef SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_H
-#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_H 0x75e0f55d
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_H 0x42ab4236
 
 #include <math.h>
 #include <stdint.h>
@@ -91,8 +91,8 @@ before."
 #define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CHANNELS 3
 #define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_AXES 2
 #define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_UNIT "cd/m2"
-#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_E_MEAN 1.337000e-02
-#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_E_MAX 5.847000e-02
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_E_MEAN 1.430000e-02
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_E_MAX 6.181000e-02
 #define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_UNPACKED 1460
 #define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_SUN_ZENITH_MIN 0.0f
 #define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_SUN_ZENITH_MAX 1.57079637f
@@ -179,7 +179,7 @@ SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_API void skylight_sh_7_bands_1_5pct_packed_win
     float
     weights[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CHANNELS][SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WEIGHTS]);
 
-#elif SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_H != 0x75e0f55d
+#elif SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_H != 0x42ab4236
 #error "Another table has the prefix skylight_sh_7_bands_1_5pct_packed_7_bands_1_5pct_packed \
 already: export one of them under a prefix of its own."
 #endif /* SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_H */
@@ -188,6 +188,138 @@ already: export one of them under a prefix of its own."
     defined(SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_IMPLEMENTATION)) && \
     !defined(SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_DEFINED)
 #define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_DEFINED
+
+/* Numbers side by side where the compiler has vector types: as many as the processor's registers
+   hold, and four. */
+#if defined(__GNUC__) && (defined(__SSE__) || defined(__ARM_NEON) || defined(__ALTIVEC__) || \
+                          defined(__wasm_simd128__) || defined(__loongarch_sx))
+#if defined(__AVX512F__)
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_LANES 16
+#elif defined(__AVX__)
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_LANES 8
+#else
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_LANES 4
+#endif
+#endif
+/* What is worth its place in every caller; what lies at the start of a cache line. */
+#ifdef __GNUC__
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_INLINE static inline __attribute__((always_inline))
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_ALIGNED __attribute__((aligned(64)))
+#else
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_INLINE static inline
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_ALIGNED
+#endif
+#ifdef SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_LANES
+#ifdef __FMA__
+/* One operation for a product and a sum, which standard C may not choose by itself. */
+#include <immintrin.h>
+#endif
+typedef float skylight_sh_7_bands_1_5pct_packed_lanes __attribute__((vector_size(4 *
+    SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_LANES)));
+typedef float skylight_sh_7_bands_1_5pct_packed_four __attribute__((vector_size(16)));
+typedef int skylight_sh_7_bands_1_5pct_packed_order __attribute__((vector_size(16)));
+
+/* The same number in all places: v - 0 is v, which 0 + v need not be. */
+static inline skylight_sh_7_bands_1_5pct_packed_lanes skylight_sh_7_bands_1_5pct_packed_spread(float
+    v)
+{
+    const skylight_sh_7_bands_1_5pct_packed_lanes zeros = {0};
+    return v - zeros;
+}
+
+static inline skylight_sh_7_bands_1_5pct_packed_lanes skylight_sh_7_bands_1_5pct_packed_load(const
+    float *from)
+{
+    skylight_sh_7_bands_1_5pct_packed_lanes v;
+    memcpy(&v, from, sizeof v);
+    return v;
+}
+
+/* a * b + c. */
+static inline skylight_sh_7_bands_1_5pct_packed_lanes
+    skylight_sh_7_bands_1_5pct_packed_add(skylight_sh_7_bands_1_5pct_packed_lanes a,
+    skylight_sh_7_bands_1_5pct_packed_lanes b,
+                                                skylight_sh_7_bands_1_5pct_packed_lanes c)
+{
+#if defined(__FMA__) && SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_LANES == 16
+    return _mm512_fmadd_ps(a, b, c);
+#elif defined(__FMA__) && SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_LANES == 8
+    return _mm256_fmadd_ps(a, b, c);
+#else
+    return a * b + c;
+#endif
+}
+
+static inline skylight_sh_7_bands_1_5pct_packed_four
+    skylight_sh_7_bands_1_5pct_packed_spread_four(float v)
+{
+    const skylight_sh_7_bands_1_5pct_packed_four zeros = {0};
+    return v - zeros;
+}
+
+static inline skylight_sh_7_bands_1_5pct_packed_four
+    skylight_sh_7_bands_1_5pct_packed_load_four(const float *from)
+{
+    skylight_sh_7_bands_1_5pct_packed_four v;
+    memcpy(&v, from, sizeof v);
+    return v;
+}
+
+static inline skylight_sh_7_bands_1_5pct_packed_four
+    skylight_sh_7_bands_1_5pct_packed_add_four(skylight_sh_7_bands_1_5pct_packed_four a,
+    skylight_sh_7_bands_1_5pct_packed_four b,
+                                                    skylight_sh_7_bands_1_5pct_packed_four c)
+{
+#ifdef __FMA__
+    return _mm_fmadd_ps(a, b, c);
+#else
+    return a * b + c;
+#endif
+}
+
+/* Numbers side by side; where there are fewer than four, the last again. */
+static inline skylight_sh_7_bands_1_5pct_packed_four
+    skylight_sh_7_bands_1_5pct_packed_quadruple(float a, float b, float c, float d)
+{
+    const skylight_sh_7_bands_1_5pct_packed_four v = {a, b, c, d};
+    return v;
+}
+
+static inline skylight_sh_7_bands_1_5pct_packed_four skylight_sh_7_bands_1_5pct_packed_triple(float
+    a, float b, float c)
+{
+    return skylight_sh_7_bands_1_5pct_packed_quadruple(a, b, c, c);
+}
+
+static inline skylight_sh_7_bands_1_5pct_packed_four skylight_sh_7_bands_1_5pct_packed_pair(float a,
+    float b)
+{
+    return skylight_sh_7_bands_1_5pct_packed_quadruple(a, b, b, b);
+}
+
+static inline void skylight_sh_7_bands_1_5pct_packed_keep(float *to,
+    skylight_sh_7_bands_1_5pct_packed_four v)
+{
+    memcpy(to, &v, sizeof v);
+}
+
+/* Four of the eight numbers of two vectors. */
+#ifdef __clang__
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_PICK(v, w, a, b, c, d) __builtin_shufflevector(v, w, a, \
+    b, c, d)
+#else
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_PICK(v, w, a, b, c, d) \
+    skylight_sh_7_bands_1_5pct_packed_pick(v, w, a, b, c, d)
+static inline skylight_sh_7_bands_1_5pct_packed_four
+    skylight_sh_7_bands_1_5pct_packed_pick(skylight_sh_7_bands_1_5pct_packed_four v,
+    skylight_sh_7_bands_1_5pct_packed_four w, int a,
+                                                int b, int c, int d)
+{
+    const skylight_sh_7_bands_1_5pct_packed_order order = {a, b, c, d};
+    return __builtin_shuffle(v, w, order);
+}
+#endif
+#endif
 
 typedef float skylight_sh_7_bands_1_5pct_packed_real;
 
@@ -220,8 +352,11 @@ static const skylight_sh_7_bands_1_5pct_packed_real
 /* Classes; a row's numbers, one a sum, and those of the first 1, 2, ..
    bands; room for a class's sums. */
 #define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASSES 3
-#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_OTHER_CLASSES(CLASS) CLASS(1) CLASS(2)
-#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_FACTORS 9
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_ALL_CLASSES(CLASS) CLASS(0) CLASS(1) CLASS(2)
+/* What multiplies the sum of a class for a channel; the channels side by
+   side, in fours. */
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_FACTORS 12
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_FACTOR(channel, class_) ((class_) * 4 + (channel))
 #define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WIDTH 28
 #define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WIDTHS { 1, 3, 6, 10, 15, 21, 28 }
 #define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_ROOM 32
@@ -274,80 +409,80 @@ static const skylight_sh_7_bands_1_5pct_packed_real
 #define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_RUNS 5
 #define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_RUN_PROFILE { 3, 2, -3, -9, -14 }
 #define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASS_PROFILE { -2, -10, -8 }
-#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_STEP 0.000686645508f
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_STEP 0.000717163086f
 
 /* Whole numbers as Rice codes. */
-static const unsigned char skylight_sh_7_bands_1_5pct_packed_stream[869] = {
-    165, 190, 117, 198, 255, 206, 173, 187, 219, 43, 227, 95, 18, 95, 156, 229, 127, 98, 185, 224,
-    99, 99, 252, 81, 88, 253, 68, 220, 39, 194, 191, 51, 249, 230, 195, 231, 7, 191, 63, 95, 43, 23,
-    74, 141, 45, 145, 206, 24, 203, 77, 72, 54, 16, 86, 153, 67, 44, 213, 104, 20, 42, 104, 20, 153,
-    181, 98, 142, 142, 123, 251, 108, 129, 215, 38, 117, 49, 139, 183, 165, 171, 168, 230, 120, 220,
-    16, 139, 114, 21, 65, 13, 67, 43, 133, 46, 162, 168, 65, 51, 28, 203, 134, 7, 26, 49, 59, 130,
-    165, 204, 216, 210, 224, 169, 75, 250, 108, 72, 9, 249, 6, 102, 149, 185, 36, 180, 85, 100, 178,
-    165, 81, 239, 230, 185, 234, 225, 65, 202, 178, 219, 67, 246, 114, 107, 101, 229, 168, 186, 148,
-    128, 48, 23, 246, 245, 68, 146, 78, 63, 221, 120, 40, 148, 224, 58, 151, 223, 23, 22, 5, 90, 49,
-    68, 46, 68, 47, 77, 13, 129, 187, 152, 97, 103, 30, 6, 83, 70, 34, 136, 84, 148, 178, 1, 212,
-    37, 166, 217, 18, 31, 1, 48, 252, 49, 22, 19, 99, 75, 4, 236, 27, 178, 36, 159, 253, 21, 205,
-    83, 51, 135, 92, 143, 229, 145, 87, 163, 11, 122, 104, 105, 146, 89, 61, 95, 123, 204, 168, 167,
-    107, 62, 89, 228, 178, 236, 44, 208, 111, 235, 199, 160, 170, 6, 182, 203, 163, 86, 53, 165,
-    215, 107, 65, 33, 11, 25, 191, 126, 132, 166, 163, 149, 248, 189, 137, 14, 155, 167, 135, 107,
-    237, 152, 200, 144, 108, 167, 73, 102, 11, 130, 140, 1, 151, 1, 21, 59, 174, 28, 69, 6, 95, 206,
-    64, 130, 144, 38, 202, 54, 105, 23, 77, 147, 36, 150, 154, 71, 14, 29, 191, 24, 118, 193, 250,
-    132, 252, 204, 2, 9, 99, 34, 108, 235, 136, 7, 27, 171, 195, 190, 110, 152, 53, 163, 114, 234,
-    214, 252, 50, 176, 54, 251, 32, 92, 191, 44, 70, 111, 74, 198, 190, 112, 236, 222, 69, 206, 131,
-    19, 217, 3, 153, 252, 43, 253, 167, 88, 173, 240, 93, 205, 3, 119, 83, 158, 217, 187, 88, 207,
-    146, 251, 152, 219, 60, 179, 72, 119, 125, 59, 47, 109, 27, 198, 88, 162, 255, 18, 159, 129, 35,
-    90, 216, 229, 79, 213, 235, 57, 84, 211, 192, 40, 17, 221, 205, 113, 71, 161, 41, 178, 100, 0,
-    34, 78, 227, 122, 127, 44, 28, 36, 139, 46, 2, 132, 181, 196, 133, 13, 66, 80, 71, 229, 190,
-    148, 244, 76, 198, 4, 81, 16, 121, 19, 41, 104, 35, 56, 9, 131, 64, 103, 100, 143, 4, 177, 113,
-    90, 145, 53, 121, 48, 158, 134, 66, 204, 123, 109, 33, 178, 63, 148, 8, 49, 95, 247, 227, 253,
-    92, 148, 194, 150, 38, 253, 147, 53, 151, 247, 61, 163, 192, 96, 231, 140, 250, 96, 163, 147,
-    197, 125, 231, 146, 115, 143, 96, 86, 240, 103, 248, 221, 135, 132, 183, 242, 195, 110, 79, 140,
-    11, 221, 157, 202, 41, 17, 150, 229, 216, 23, 199, 118, 250, 197, 52, 75, 181, 134, 76, 112,
-    127, 183, 127, 178, 133, 170, 41, 175, 254, 132, 69, 154, 124, 230, 50, 215, 97, 149, 164, 218,
-    245, 193, 29, 134, 82, 27, 159, 81, 88, 25, 205, 78, 235, 247, 112, 28, 14, 176, 233, 214, 159,
-    35, 139, 54, 198, 59, 162, 148, 18, 239, 163, 89, 66, 135, 68, 191, 38, 243, 73, 116, 152, 91,
-    228, 160, 160, 34, 21, 100, 27, 235, 230, 132, 13, 84, 168, 185, 54, 180, 65, 6, 21, 65, 193,
-    114, 246, 99, 232, 112, 132, 37, 200, 96, 78, 6, 163, 12, 176, 133, 96, 225, 213, 61, 202, 33,
-    185, 224, 188, 215, 86, 50, 98, 40, 36, 186, 213, 63, 249, 37, 191, 52, 44, 168, 226, 168, 231,
-    95, 91, 98, 161, 215, 96, 47, 223, 102, 114, 6, 199, 83, 88, 250, 119, 229, 2, 116, 109, 58, 59,
-    99, 39, 255, 247, 124, 114, 9, 186, 216, 89, 47, 158, 215, 20, 170, 63, 174, 151, 89, 47, 199,
-    198, 198, 192, 110, 194, 182, 75, 236, 232, 120, 99, 199, 26, 49, 147, 27, 255, 211, 255, 234,
-    40, 138, 115, 165, 167, 190, 48, 50, 218, 220, 155, 115, 229, 16, 134, 34, 214, 199, 125, 236,
-    139, 106, 222, 114, 140, 18, 216, 51, 26, 198, 239, 235, 231, 92, 226, 52, 205, 29, 207, 221,
-    162, 213, 206, 92, 69, 21, 88, 100, 201, 58, 79, 65, 15, 173, 90, 206, 14, 54, 230, 21, 217,
-    208, 95, 250, 144, 24, 196, 68, 94, 40, 215, 20, 117, 231, 170, 147, 67, 226, 109, 74, 225, 77,
-    154, 166, 170, 204, 4, 162, 57, 246, 142, 129, 96, 34, 175, 194, 53, 214, 137, 8, 249, 129, 98,
-    88, 217, 11, 87, 135, 113, 69, 34, 145, 101, 35, 196, 204, 225, 16, 28, 47, 6, 146, 8, 138, 35,
-    2, 13, 67, 197, 171, 89, 140, 153, 163, 1
+static const unsigned char skylight_sh_7_bands_1_5pct_packed_stream[857] = {
+    165, 190, 117, 198, 255, 206, 133, 219, 90, 234, 226, 95, 198, 222, 22, 13, 63, 167, 92, 120,
+    44, 199, 31, 133, 213, 79, 196, 125, 38, 252, 59, 130, 111, 61, 60, 63, 242, 237, 249, 90, 49,
+    42, 53, 182, 52, 26, 238, 215, 23, 144, 44, 228, 215, 23, 51, 167, 80, 163, 81, 88, 65, 163,
+    198, 172, 5, 147, 116, 178, 139, 71, 203, 186, 51, 168, 74, 89, 40, 109, 89, 61, 51, 198, 223,
+    118, 96, 148, 171, 8, 106, 20, 183, 18, 200, 2, 124, 141, 22, 163, 177, 104, 118, 128, 209, 162,
+    67, 80, 202, 140, 45, 13, 126, 186, 125, 15, 132, 148, 68, 247, 62, 170, 76, 37, 160, 172, 66,
+    147, 173, 76, 122, 251, 199, 170, 135, 195, 87, 69, 183, 227, 183, 98, 43, 101, 229, 132, 185,
+    110, 128, 108, 148, 235, 157, 36, 78, 62, 92, 105, 40, 148, 216, 50, 22, 95, 23, 22, 165, 233,
+    159, 1, 251, 209, 75, 99, 192, 219, 34, 230, 120, 83, 142, 130, 9, 19, 17, 68, 42, 73, 217, 0,
+    169, 18, 147, 236, 72, 143, 8, 20, 254, 24, 139, 137, 177, 37, 2, 246, 166, 111, 195, 71, 189,
+    175, 89, 42, 229, 128, 219, 177, 48, 242, 106, 116, 65, 15, 237, 76, 50, 139, 199, 107, 143, 9,
+    237, 116, 205, 167, 106, 88, 150, 157, 133, 247, 205, 123, 112, 172, 106, 68, 203, 59, 101, 81,
+    79, 116, 189, 22, 20, 210, 143, 248, 237, 9, 61, 58, 85, 137, 223, 27, 232, 112, 243, 244, 176,
+    44, 23, 20, 25, 242, 172, 50, 72, 172, 60, 68, 24, 112, 201, 155, 212, 105, 213, 52, 25, 108,
+    41, 3, 97, 33, 77, 142, 106, 198, 42, 150, 26, 65, 236, 204, 188, 80, 28, 190, 148, 85, 193,
+    218, 132, 252, 200, 226, 8, 99, 226, 107, 235, 136, 7, 26, 169, 35, 190, 104, 150, 85, 210, 99,
+    228, 214, 252, 139, 192, 218, 236, 32, 92, 191, 40, 101, 111, 72, 163, 200, 174, 92, 227, 60,
+    184, 130, 157, 73, 224, 223, 215, 159, 119, 173, 193, 246, 133, 158, 181, 153, 242, 140, 94,
+    197, 106, 150, 220, 166, 220, 253, 241, 180, 67, 180, 234, 203, 188, 112, 105, 24, 99, 241, 253,
+    187, 57, 57, 70, 84, 196, 55, 30, 169, 75, 45, 39, 90, 26, 24, 37, 162, 239, 19, 119, 148, 152,
+    2, 253, 12, 96, 156, 70, 242, 190, 104, 48, 168, 16, 182, 224, 11, 43, 73, 27, 25, 132, 34, 77,
+    121, 47, 37, 59, 20, 77, 228, 40, 72, 233, 82, 168, 39, 3, 201, 150, 131, 156, 145, 61, 18, 182,
+    128, 43, 178, 26, 145, 197, 147, 56, 196, 188, 215, 86, 34, 239, 135, 29, 29, 228, 139, 14, 237,
+    167, 34, 148, 180, 49, 232, 159, 170, 169, 92, 239, 73, 13, 6, 59, 70, 174, 7, 253, 74, 22, 247,
+    141, 139, 142, 141, 68, 122, 255, 121, 127, 99, 150, 232, 118, 125, 204, 221, 137, 113, 145,
+    155, 217, 156, 18, 97, 89, 142, 125, 113, 108, 163, 238, 167, 88, 104, 53, 100, 2, 251, 107,
+    251, 83, 44, 83, 26, 239, 190, 167, 175, 209, 220, 3, 87, 177, 14, 42, 87, 187, 29, 220, 97, 38,
+    211, 151, 28, 101, 149, 209, 236, 104, 190, 228, 51, 128, 0, 27, 107, 233, 17, 170, 168, 63,
+    220, 17, 81, 74, 186, 142, 82, 66, 71, 64, 191, 34, 210, 73, 116, 114, 139, 227, 128, 32, 5,
+    170, 135, 86, 86, 205, 9, 27, 168, 80, 99, 51, 210, 2, 25, 40, 2, 42, 88, 188, 126, 4, 29, 14,
+    81, 249, 49, 152, 147, 193, 40, 3, 108, 33, 84, 225, 181, 53, 202, 76, 114, 193, 121, 175, 173,
+    84, 200, 80, 24, 84, 43, 127, 236, 75, 252, 162, 176, 144, 122, 147, 59, 254, 117, 37, 22, 122,
+    13, 214, 242, 109, 38, 39, 56, 27, 194, 210, 191, 27, 23, 160, 107, 211, 57, 201, 58, 237, 95,
+    253, 169, 30, 113, 167, 115, 222, 57, 222, 41, 80, 125, 234, 151, 81, 203, 161, 52, 50, 119, 19,
+    182, 91, 98, 39, 71, 43, 155, 107, 196, 32, 110, 247, 15, 250, 43, 147, 36, 202, 69, 158, 118,
+    123, 98, 218, 212, 139, 163, 115, 128, 161, 136, 237, 113, 31, 125, 81, 75, 219, 141, 81, 2,
+    107, 70, 249, 255, 42, 126, 168, 21, 74, 67, 92, 234, 188, 29, 90, 237, 200, 85, 100, 34, 137,
+    4, 251, 17, 29, 240, 129, 69, 137, 76, 80, 94, 145, 205, 248, 189, 78, 71, 65, 76, 218, 77, 98,
+    77, 81, 119, 174, 33, 58, 37, 222, 70, 41, 188, 65, 85, 164, 202, 20, 76, 147, 43, 27, 130, 129,
+    196, 93, 132, 106, 172, 146, 16, 2, 52, 195, 202, 94, 184, 54, 140, 43, 146, 200, 66, 209, 161,
+    102, 144, 8, 142, 23, 132, 72, 4, 69, 68, 160, 33, 59, 94, 203, 98, 76, 142, 6
 };
 
 /* What all weights share: the closed form preetham_classes. */
-static const unsigned short skylight_sh_7_bands_1_5pct_packed_short[60] = { 40453, 4971, 945, 105,
-    24192, 2155, 420, 15, 1, 1787, 1463, 3554, 4275, 25, 3125, 227, 53251, 1206, 25771, 67, 3703, 5,
-    275, 4214, 15346, 61, 897, 26756, 317, 4153, 667, 516, 26688, 7332, 4, 2125, 641, 8989, 33, 452,
-    166, 2903, 11693, 375, 6377, 21196, 209, 3202, 6052, 394, 25886, 993, 7344, 79, 2102, 441,
-    16537, 109, 529, 41556 };
+static const unsigned short skylight_sh_7_bands_1_5pct_packed_short[61] = { 40453, 4971, 945, 105,
+    24192, 2155, 420, 15, 1, 1787, 1463, 3554, 4275, 25, 3125, 227, 4, 79, 53251, 2125, 2102, 1206,
+    641, 441, 25771, 8989, 16537, 67, 33, 109, 3703, 452, 529, 5, 275, 166, 4214, 2903, 15346,
+    11693, 61, 375, 897, 6377, 26756, 21196, 317, 209, 4153, 3202, 667, 6052, 516, 394, 26688,
+    25886, 7332, 993, 7344, 41556, 0 };
 
-#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_EARLY 16
-
-static inline void skylight_sh_7_bands_1_5pct_packed_begin_factors(const
-    skylight_sh_7_bands_1_5pct_packed_real *x, skylight_sh_7_bands_1_5pct_packed_real *early)
+#ifdef SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_LANES
+/* Equal formulas of different numbers side by side. */
+static inline void skylight_sh_7_bands_1_5pct_packed_factors(const
+    skylight_sh_7_bands_1_5pct_packed_real *x, skylight_sh_7_bands_1_5pct_packed_real *out)
 {
     const float chi = (0.888888896f - x[1] * 0.0166666675f) * (1.57079637f - x[0]);
     const float square = chi * chi;
-    early[0] = ((skylight_sh_7_bands_1_5pct_packed_real)skylight_sh_7_bands_1_5pct_packed_short[2])
-        - square *
+    const float below =
+        ((skylight_sh_7_bands_1_5pct_packed_real)skylight_sh_7_bands_1_5pct_packed_short[2]) -
+        square *
         (((skylight_sh_7_bands_1_5pct_packed_real)skylight_sh_7_bands_1_5pct_packed_short[6]) -
         ((skylight_sh_7_bands_1_5pct_packed_real)skylight_sh_7_bands_1_5pct_packed_short[7]) *
         square);
-    early[1] = ((0.100000001f * skylight_sh_7_bands_1_5pct_packed_short[0]) * x[1] -
+    const float zenith = ((0.100000001f * skylight_sh_7_bands_1_5pct_packed_short[0]) * x[1] -
         ((skylight_sh_7_bands_1_5pct_packed_real)skylight_sh_7_bands_1_5pct_packed_short[1])) * (chi
         * (((skylight_sh_7_bands_1_5pct_packed_real)skylight_sh_7_bands_1_5pct_packed_short[2]) -
         square *
         (((skylight_sh_7_bands_1_5pct_packed_real)skylight_sh_7_bands_1_5pct_packed_short[3]) -
         square))) + ((0.100000001f * skylight_sh_7_bands_1_5pct_packed_short[4]) - (0.100000001f *
-        skylight_sh_7_bands_1_5pct_packed_short[5]) * x[1]) * early[0];
+        skylight_sh_7_bands_1_5pct_packed_short[5]) * x[1]) * below;
     const float part_1 = (-9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[11]) * x[1] +
         (9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[12]);
     const float up =
@@ -355,108 +490,228 @@ static inline void skylight_sh_7_bands_1_5pct_packed_begin_factors(const
         part_1 * ((0.00999999978f * skylight_sh_7_bands_1_5pct_packed_short[13]) + part_1 *
         (9.99999975e-06f * skylight_sh_7_bands_1_5pct_packed_short[14]));
     const float up2 = up * up;
-    early[2] = ((skylight_sh_7_bands_1_5pct_packed_real)skylight_sh_7_bands_1_5pct_packed_short[8])
-        + ((9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[9]) * x[1] + (-0.00100000005f
-        * skylight_sh_7_bands_1_5pct_packed_short[10])) * (up2 * up2);
-    early[3] = (-9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[15]) * x[1] +
-        (9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[16]);
-    const float y = ((9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[17]) * x[1] +
-        (-9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[18])) * x[0] * (0.00999999978f *
-        skylight_sh_7_bands_1_5pct_packed_short[13]);
-    const float halo = 1.0f + y * (0.99999845f + y * (0.499975085f + y * (0.166515172f + y *
-        (0.0412233174f + y * (0.00765432511f + y * 0.000849007862f)))));
-    early[4] = halo * halo;
+    const skylight_sh_7_bands_1_5pct_packed_four y =
+        (skylight_sh_7_bands_1_5pct_packed_triple((9.99999975e-05f *
+        skylight_sh_7_bands_1_5pct_packed_short[21]),
+        (-9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[22]),
+        (-9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[23])) * x[1] +
+        skylight_sh_7_bands_1_5pct_packed_triple((-9.99999975e-05f *
+        skylight_sh_7_bands_1_5pct_packed_short[24]),
+        (-9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[25]),
+        (-9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[26]))) * x[0] * (0.00999999978f
+        * skylight_sh_7_bands_1_5pct_packed_short[13]);
+    const skylight_sh_7_bands_1_5pct_packed_four y2 = y * y;
+    const skylight_sh_7_bands_1_5pct_packed_four halo = 1.0f + 0.99999845f * y + y2 * (0.499975085f
+        + 0.166515172f * y + y2 * (0.0412233174f + 0.00765432511f * y + y2 * 0.000849007862f));
+    const skylight_sh_7_bands_1_5pct_packed_four halo2 = halo * halo;
+    const skylight_sh_7_bands_1_5pct_packed_four halo4 = halo2 * halo2;
     const float z = x[0] * x[0];
     const float cosine =
         ((skylight_sh_7_bands_1_5pct_packed_real)skylight_sh_7_bands_1_5pct_packed_short[8]) - z *
-        ((0.100000001f * skylight_sh_7_bands_1_5pct_packed_short[21]) - z * (9.99999975e-06f *
+        ((0.100000001f * skylight_sh_7_bands_1_5pct_packed_short[33]) - z * (9.99999975e-06f *
         skylight_sh_7_bands_1_5pct_packed_short[14]));
     const float cosine2 = cosine * cosine;
-    early[5] = ((-0.00100000005f * skylight_sh_7_bands_1_5pct_packed_short[19]) * x[1] +
-        (9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[20])) * cosine2;
-    early[6] = (((((9.99999975e-06f * skylight_sh_7_bands_1_5pct_packed_short[22]) * x[1] +
-        (-9.99999975e-06f * skylight_sh_7_bands_1_5pct_packed_short[23])) * x[1] + (9.99999975e-06f
-        * skylight_sh_7_bands_1_5pct_packed_short[24])) * x[0] + (((-9.99999975e-05f *
-        skylight_sh_7_bands_1_5pct_packed_short[25]) * x[1] + (9.99999975e-05f *
-        skylight_sh_7_bands_1_5pct_packed_short[26])) * x[1] + (-9.99999975e-06f *
-        skylight_sh_7_bands_1_5pct_packed_short[27]))) * x[0] + (((9.99999975e-06f *
-        skylight_sh_7_bands_1_5pct_packed_short[28]) * x[1] + (-9.99999975e-06f *
-        skylight_sh_7_bands_1_5pct_packed_short[29])) * x[1] + (9.99999975e-05f *
-        skylight_sh_7_bands_1_5pct_packed_short[30]))) * x[0] + ((9.99999975e-06f *
-        skylight_sh_7_bands_1_5pct_packed_short[31]) * x[1] + (9.99999975e-06f *
-        skylight_sh_7_bands_1_5pct_packed_short[32]));
-    early[7] = (9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[13]) * x[1] +
-        (9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[33]);
-    early[8] = (-9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[34]) * x[1] +
-        (9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[35]);
-    const float y_2 = ((-9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[36]) * x[1] +
-        (-9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[37])) * x[0] * (0.00999999978f *
-        skylight_sh_7_bands_1_5pct_packed_short[13]);
-    const float halo_2 = 1.0f + y_2 * (0.99999845f + y_2 * (0.499975085f + y_2 * (0.166515172f + y_2
-        * (0.0412233174f + y_2 * (0.00765432511f + y_2 * 0.000849007862f)))));
-    early[9] = halo_2 * halo_2;
-    early[10] = ((-9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[38]) * x[1] +
-        (9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[39])) * cosine2;
-    early[11] = (((((9.99999975e-06f * skylight_sh_7_bands_1_5pct_packed_short[40]) * x[1] +
-        (-9.99999975e-06f * skylight_sh_7_bands_1_5pct_packed_short[41])) * x[1] + (9.99999975e-06f
-        * skylight_sh_7_bands_1_5pct_packed_short[42])) * x[0] + (((-9.99999975e-06f *
-        skylight_sh_7_bands_1_5pct_packed_short[43]) * x[1] + (9.99999975e-06f *
-        skylight_sh_7_bands_1_5pct_packed_short[44])) * x[1] + (-9.99999975e-06f *
-        skylight_sh_7_bands_1_5pct_packed_short[45]))) * x[0] + (((9.99999975e-06f *
-        skylight_sh_7_bands_1_5pct_packed_short[46]) * x[1] + (-9.99999975e-06f *
-        skylight_sh_7_bands_1_5pct_packed_short[47])) * x[1] + (9.99999975e-06f *
-        skylight_sh_7_bands_1_5pct_packed_short[48]))) * x[0] + ((9.99999975e-06f *
-        skylight_sh_7_bands_1_5pct_packed_short[49]) * x[1] + (9.99999975e-06f *
-        skylight_sh_7_bands_1_5pct_packed_short[50]));
-    early[12] = (9.99999975e-06f * skylight_sh_7_bands_1_5pct_packed_short[51]) * x[1] +
-        (9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[52]);
-    early[13] = (-9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[53]) * x[1] +
-        (9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[54]);
-    const float y_3 = ((-9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[55]) * x[1] +
-        (-9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[56])) * x[0] * (0.00999999978f *
-        skylight_sh_7_bands_1_5pct_packed_short[13]);
-    const float halo_3 = 1.0f + y_3 * (0.99999845f + y_3 * (0.499975085f + y_3 * (0.166515172f + y_3
-        * (0.0412233174f + y_3 * (0.00765432511f + y_3 * 0.000849007862f)))));
-    early[14] = halo_3 * halo_3;
-    early[15] = ((-9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[57]) * x[1] +
-        (9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[58])) * cosine2;
+    const skylight_sh_7_bands_1_5pct_packed_four part_2 =
+        ((skylight_sh_7_bands_1_5pct_packed_real)skylight_sh_7_bands_1_5pct_packed_short[8]) +
+        (skylight_sh_7_bands_1_5pct_packed_triple((-9.99999975e-05f *
+        skylight_sh_7_bands_1_5pct_packed_short[15]),
+        (-9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[16]),
+        (-9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[17])) * x[1] +
+        skylight_sh_7_bands_1_5pct_packed_triple((9.99999975e-05f *
+        skylight_sh_7_bands_1_5pct_packed_short[18]),
+        (9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[19]),
+        (9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[20]))) * halo4 +
+        (skylight_sh_7_bands_1_5pct_packed_triple((-0.00100000005f *
+        skylight_sh_7_bands_1_5pct_packed_short[27]),
+        (-9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[28]),
+        (-9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[29])) * x[1] +
+        skylight_sh_7_bands_1_5pct_packed_triple((9.99999975e-05f *
+        skylight_sh_7_bands_1_5pct_packed_short[30]),
+        (9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[31]),
+        (9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[32]))) * cosine2;
+    const float shape_y =
+        (((skylight_sh_7_bands_1_5pct_packed_real)skylight_sh_7_bands_1_5pct_packed_short[8]) +
+        ((9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[9]) * x[1] + (-0.00100000005f *
+        skylight_sh_7_bands_1_5pct_packed_short[10])) * (up2 * up2)) * part_2[0];
+    const skylight_sh_7_bands_1_5pct_packed_four y_zenith =
+        ((((skylight_sh_7_bands_1_5pct_packed_pair((9.99999975e-06f *
+        skylight_sh_7_bands_1_5pct_packed_short[34]),
+        (9.99999975e-06f * skylight_sh_7_bands_1_5pct_packed_short[35])) * x[1] +
+        skylight_sh_7_bands_1_5pct_packed_pair((-9.99999975e-06f *
+        skylight_sh_7_bands_1_5pct_packed_short[36]),
+        (-9.99999975e-06f * skylight_sh_7_bands_1_5pct_packed_short[37]))) * x[1] +
+        skylight_sh_7_bands_1_5pct_packed_pair((9.99999975e-06f *
+        skylight_sh_7_bands_1_5pct_packed_short[38]),
+        (9.99999975e-06f * skylight_sh_7_bands_1_5pct_packed_short[39]))) * x[0] +
+        ((skylight_sh_7_bands_1_5pct_packed_pair((-9.99999975e-05f *
+        skylight_sh_7_bands_1_5pct_packed_short[40]),
+        (-9.99999975e-06f * skylight_sh_7_bands_1_5pct_packed_short[41])) * x[1] +
+        skylight_sh_7_bands_1_5pct_packed_pair((9.99999975e-05f *
+        skylight_sh_7_bands_1_5pct_packed_short[42]),
+        (9.99999975e-06f * skylight_sh_7_bands_1_5pct_packed_short[43]))) * x[1] +
+        skylight_sh_7_bands_1_5pct_packed_pair((-9.99999975e-06f *
+        skylight_sh_7_bands_1_5pct_packed_short[44]),
+        (-9.99999975e-06f * skylight_sh_7_bands_1_5pct_packed_short[45])))) * x[0] +
+        ((skylight_sh_7_bands_1_5pct_packed_pair((9.99999975e-06f *
+        skylight_sh_7_bands_1_5pct_packed_short[46]),
+        (9.99999975e-06f * skylight_sh_7_bands_1_5pct_packed_short[47])) * x[1] +
+        skylight_sh_7_bands_1_5pct_packed_pair((-9.99999975e-06f *
+        skylight_sh_7_bands_1_5pct_packed_short[48]),
+        (-9.99999975e-06f * skylight_sh_7_bands_1_5pct_packed_short[49]))) * x[1] +
+        skylight_sh_7_bands_1_5pct_packed_pair((9.99999975e-05f *
+        skylight_sh_7_bands_1_5pct_packed_short[50]),
+        (9.99999975e-06f * skylight_sh_7_bands_1_5pct_packed_short[51])))) * x[0] +
+        (skylight_sh_7_bands_1_5pct_packed_pair((9.99999975e-06f *
+        skylight_sh_7_bands_1_5pct_packed_short[52]),
+        (9.99999975e-06f * skylight_sh_7_bands_1_5pct_packed_short[53])) * x[1] +
+        skylight_sh_7_bands_1_5pct_packed_pair((9.99999975e-06f *
+        skylight_sh_7_bands_1_5pct_packed_short[54]),
+        (9.99999975e-06f * skylight_sh_7_bands_1_5pct_packed_short[55])));
+    const float part_3 = y_zenith[0];
+    const float shape_x = ((9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[13]) * x[1] +
+        (9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[56])) * part_2[1];
+    const float one = zenith / (below * shape_y * part_3 * shape_x);
+    const float shape_z = ((9.99999975e-06f * skylight_sh_7_bands_1_5pct_packed_short[57]) * x[1] +
+        (9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[58])) * part_2[2];
+    const float of_x = one * y_zenith[1] * shape_z;
+    const skylight_sh_7_bands_1_5pct_packed_four part_4 =
+        skylight_sh_7_bands_1_5pct_packed_triple(3.73898554f, (-1.01082206f),
+        (-1.00158179f)) * of_x;
+    skylight_sh_7_bands_1_5pct_packed_keep(out + 4, part_4);
+    const float of_y = one * part_3 * shape_x;
+    const float of_s = one * shape_z * shape_x;
+    const skylight_sh_7_bands_1_5pct_packed_four part_5 =
+        skylight_sh_7_bands_1_5pct_packed_triple((-0.498531401f),
+        (9.99999997e-07f * skylight_sh_7_bands_1_5pct_packed_short[59]), 1.05722523f) * of_s;
+    skylight_sh_7_bands_1_5pct_packed_keep(out + 8, part_5);
+    const skylight_sh_7_bands_1_5pct_packed_four part_6 = part_4 +
+        skylight_sh_7_bands_1_5pct_packed_triple((-1.03860712f), 1.83445477f,
+        (-1.26125109f)) * of_y + part_5;
+    skylight_sh_7_bands_1_5pct_packed_keep(out + 0, part_6);
     (void)x;
-    (void)early;
 }
 
-/* The rest of it. */
-static inline void skylight_sh_7_bands_1_5pct_packed_end_factors(const
-    skylight_sh_7_bands_1_5pct_packed_real *x, const skylight_sh_7_bands_1_5pct_packed_real *early,
-    skylight_sh_7_bands_1_5pct_packed_real *out)
+#else
+static inline void skylight_sh_7_bands_1_5pct_packed_factors(const
+    skylight_sh_7_bands_1_5pct_packed_real *x, skylight_sh_7_bands_1_5pct_packed_real *out)
 {
-    const float halo4 = early[4] * early[4];
-    const float shape_y = early[2] *
+    const float chi = (0.888888896f - x[1] * 0.0166666675f) * (1.57079637f - x[0]);
+    const float square = chi * chi;
+    const float below =
+        ((skylight_sh_7_bands_1_5pct_packed_real)skylight_sh_7_bands_1_5pct_packed_short[2]) -
+        square *
+        (((skylight_sh_7_bands_1_5pct_packed_real)skylight_sh_7_bands_1_5pct_packed_short[6]) -
+        ((skylight_sh_7_bands_1_5pct_packed_real)skylight_sh_7_bands_1_5pct_packed_short[7]) *
+        square);
+    const float zenith = ((0.100000001f * skylight_sh_7_bands_1_5pct_packed_short[0]) * x[1] -
+        ((skylight_sh_7_bands_1_5pct_packed_real)skylight_sh_7_bands_1_5pct_packed_short[1])) * (chi
+        * (((skylight_sh_7_bands_1_5pct_packed_real)skylight_sh_7_bands_1_5pct_packed_short[2]) -
+        square *
+        (((skylight_sh_7_bands_1_5pct_packed_real)skylight_sh_7_bands_1_5pct_packed_short[3]) -
+        square))) + ((0.100000001f * skylight_sh_7_bands_1_5pct_packed_short[4]) - (0.100000001f *
+        skylight_sh_7_bands_1_5pct_packed_short[5]) * x[1]) * below;
+    const float part_1 = (-9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[11]) * x[1] +
+        (9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[12]);
+    const float up =
+        ((skylight_sh_7_bands_1_5pct_packed_real)skylight_sh_7_bands_1_5pct_packed_short[8]) +
+        part_1 * ((0.00999999978f * skylight_sh_7_bands_1_5pct_packed_short[13]) + part_1 *
+        (9.99999975e-06f * skylight_sh_7_bands_1_5pct_packed_short[14]));
+    const float up2 = up * up;
+    const float y = ((9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[21]) * x[1] +
+        (-9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[24])) * x[0] * (0.00999999978f *
+        skylight_sh_7_bands_1_5pct_packed_short[13]);
+    const float y2 = y * y;
+    const float halo = 1.0f + 0.99999845f * y + y2 * (0.499975085f + 0.166515172f * y + y2 *
+        (0.0412233174f + 0.00765432511f * y + y2 * 0.000849007862f));
+    const float halo2 = halo * halo;
+    const float halo4 = halo2 * halo2;
+    const float z = x[0] * x[0];
+    const float cosine =
+        ((skylight_sh_7_bands_1_5pct_packed_real)skylight_sh_7_bands_1_5pct_packed_short[8]) - z *
+        ((0.100000001f * skylight_sh_7_bands_1_5pct_packed_short[33]) - z * (9.99999975e-06f *
+        skylight_sh_7_bands_1_5pct_packed_short[14]));
+    const float cosine2 = cosine * cosine;
+    const float shape_y =
         (((skylight_sh_7_bands_1_5pct_packed_real)skylight_sh_7_bands_1_5pct_packed_short[8]) +
-        early[3] * halo4 + early[5]);
-    const float halo4_2 = early[9] * early[9];
-    const float shape_x = early[7] *
+        ((9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[9]) * x[1] + (-0.00100000005f *
+        skylight_sh_7_bands_1_5pct_packed_short[10])) * (up2 * up2)) *
         (((skylight_sh_7_bands_1_5pct_packed_real)skylight_sh_7_bands_1_5pct_packed_short[8]) +
-        early[8] * halo4_2 + early[10]);
-    const float one = early[1] / (early[0] * shape_y * early[6] * shape_x);
-    const float halo4_3 = early[14] * early[14];
-    const float shape_z = early[12] *
+        ((-9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[15]) * x[1] + (9.99999975e-05f
+        * skylight_sh_7_bands_1_5pct_packed_short[18])) * halo4 + ((-0.00100000005f *
+        skylight_sh_7_bands_1_5pct_packed_short[27]) * x[1] + (9.99999975e-05f *
+        skylight_sh_7_bands_1_5pct_packed_short[30])) * cosine2);
+    const float y_zenith = (((((9.99999975e-06f * skylight_sh_7_bands_1_5pct_packed_short[34]) *
+        x[1] + (-9.99999975e-06f * skylight_sh_7_bands_1_5pct_packed_short[36])) * x[1] +
+        (9.99999975e-06f * skylight_sh_7_bands_1_5pct_packed_short[38])) * x[0] +
+        (((-9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[40]) * x[1] + (9.99999975e-05f
+        * skylight_sh_7_bands_1_5pct_packed_short[42])) * x[1] + (-9.99999975e-06f *
+        skylight_sh_7_bands_1_5pct_packed_short[44]))) * x[0] + (((9.99999975e-06f *
+        skylight_sh_7_bands_1_5pct_packed_short[46]) * x[1] + (-9.99999975e-06f *
+        skylight_sh_7_bands_1_5pct_packed_short[48])) * x[1] + (9.99999975e-05f *
+        skylight_sh_7_bands_1_5pct_packed_short[50]))) * x[0] + ((9.99999975e-06f *
+        skylight_sh_7_bands_1_5pct_packed_short[52]) * x[1] + (9.99999975e-06f *
+        skylight_sh_7_bands_1_5pct_packed_short[54]));
+    const float y_2 = ((-9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[22]) * x[1] +
+        (-9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[25])) * x[0] * (0.00999999978f *
+        skylight_sh_7_bands_1_5pct_packed_short[13]);
+    const float y2_2 = y_2 * y_2;
+    const float halo_2 = 1.0f + 0.99999845f * y_2 + y2_2 * (0.499975085f + 0.166515172f * y_2 + y2_2
+        * (0.0412233174f + 0.00765432511f * y_2 + y2_2 * 0.000849007862f));
+    const float halo2_2 = halo_2 * halo_2;
+    const float halo4_2 = halo2_2 * halo2_2;
+    const float shape_x = ((9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[13]) * x[1] +
+        (9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[56])) *
         (((skylight_sh_7_bands_1_5pct_packed_real)skylight_sh_7_bands_1_5pct_packed_short[8]) +
-        early[13] * halo4_3 + early[15]);
-    const float of_x = one * early[11] * shape_z;
-    out[1] = 3.73898554f * of_x;
-    const float of_y = one * early[6] * shape_x;
+        ((-9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[16]) * x[1] + (9.99999975e-05f
+        * skylight_sh_7_bands_1_5pct_packed_short[19])) * halo4_2 + ((-9.99999975e-05f *
+        skylight_sh_7_bands_1_5pct_packed_short[28]) * x[1] + (9.99999975e-05f *
+        skylight_sh_7_bands_1_5pct_packed_short[31])) * cosine2);
+    const float one = zenith / (below * shape_y * y_zenith * shape_x);
+    const float x_zenith = (((((9.99999975e-06f * skylight_sh_7_bands_1_5pct_packed_short[35]) *
+        x[1] + (-9.99999975e-06f * skylight_sh_7_bands_1_5pct_packed_short[37])) * x[1] +
+        (9.99999975e-06f * skylight_sh_7_bands_1_5pct_packed_short[39])) * x[0] +
+        (((-9.99999975e-06f * skylight_sh_7_bands_1_5pct_packed_short[41]) * x[1] + (9.99999975e-06f
+        * skylight_sh_7_bands_1_5pct_packed_short[43])) * x[1] + (-9.99999975e-06f *
+        skylight_sh_7_bands_1_5pct_packed_short[45]))) * x[0] + (((9.99999975e-06f *
+        skylight_sh_7_bands_1_5pct_packed_short[47]) * x[1] + (-9.99999975e-06f *
+        skylight_sh_7_bands_1_5pct_packed_short[49])) * x[1] + (9.99999975e-06f *
+        skylight_sh_7_bands_1_5pct_packed_short[51]))) * x[0] + ((9.99999975e-06f *
+        skylight_sh_7_bands_1_5pct_packed_short[53]) * x[1] + (9.99999975e-06f *
+        skylight_sh_7_bands_1_5pct_packed_short[55]));
+    const float y_3 = ((-9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[23]) * x[1] +
+        (-9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[26])) * x[0] * (0.00999999978f *
+        skylight_sh_7_bands_1_5pct_packed_short[13]);
+    const float y2_3 = y_3 * y_3;
+    const float halo_3 = 1.0f + 0.99999845f * y_3 + y2_3 * (0.499975085f + 0.166515172f * y_3 + y2_3
+        * (0.0412233174f + 0.00765432511f * y_3 + y2_3 * 0.000849007862f));
+    const float halo2_3 = halo_3 * halo_3;
+    const float halo4_3 = halo2_3 * halo2_3;
+    const float shape_z = ((9.99999975e-06f * skylight_sh_7_bands_1_5pct_packed_short[57]) * x[1] +
+        (9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[58])) *
+        (((skylight_sh_7_bands_1_5pct_packed_real)skylight_sh_7_bands_1_5pct_packed_short[8]) +
+        ((-9.99999975e-05f * skylight_sh_7_bands_1_5pct_packed_short[17]) * x[1] + (9.99999975e-05f
+        * skylight_sh_7_bands_1_5pct_packed_short[20])) * halo4_3 + ((-9.99999975e-05f *
+        skylight_sh_7_bands_1_5pct_packed_short[29]) * x[1] + (9.99999975e-05f *
+        skylight_sh_7_bands_1_5pct_packed_short[32])) * cosine2);
+    const float of_x = one * x_zenith * shape_z;
+    out[4] = 3.73898554f * of_x;
+    const float of_y = one * y_zenith * shape_x;
     const float of_s = one * shape_z * shape_x;
-    out[2] = (-0.498531401f) * of_s;
-    out[0] = out[1] + (-1.03860712f) * of_y + out[2];
-    out[4] = (-1.01082206f) * of_x;
-    out[5] = (9.99999997e-07f * skylight_sh_7_bands_1_5pct_packed_short[59]) * of_s;
-    out[3] = out[4] + 1.83445477f * of_y + out[5];
-    out[7] = (-1.00158179f) * of_x;
-    out[8] = 1.05722523f * of_s;
-    out[6] = out[7] + (-1.26125109f) * of_y + out[8];
+    out[8] = (-0.498531401f) * of_s;
+    out[0] = out[4] + (-1.03860712f) * of_y + out[8];
+    out[5] = (-1.01082206f) * of_x;
+    out[9] = (9.99999997e-07f * skylight_sh_7_bands_1_5pct_packed_short[59]) * of_s;
+    out[1] = out[5] + 1.83445477f * of_y + out[9];
+    out[6] = (-1.00158179f) * of_x;
+    out[10] = 1.05722523f * of_s;
+    out[2] = out[6] + (-1.26125109f) * of_y + out[10];
+    out[3] = ((skylight_sh_7_bands_1_5pct_packed_real)skylight_sh_7_bands_1_5pct_packed_short[60]);
+    out[7] = ((skylight_sh_7_bands_1_5pct_packed_real)skylight_sh_7_bands_1_5pct_packed_short[60]);
+    out[11] = ((skylight_sh_7_bands_1_5pct_packed_real)skylight_sh_7_bands_1_5pct_packed_short[60]);
     (void)x;
-    (void)early;
 }
+
+#endif /* SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_LANES */
 
 /* The functions of sun_zenith (change of variable: even); 0 where there is
    none. */
@@ -470,7 +725,7 @@ static inline void skylight_sh_7_bands_1_5pct_packed_first(const
     out[4] = 2.0f * out[2] * out[2] - 1.0f;
     out[5] = 2.0f * out[2] * out[3] - out[1];
     out[6] = 2.0f * out[3] * out[3] - 1.0f;
-    out[7] = 0;
+    out[7] = 0.0f;
     (void)x;
 }
 
@@ -490,12 +745,13 @@ static inline void skylight_sh_7_bands_1_5pct_packed_others(const
 /* cos(m azimuth) and sin(m azimuth), m < bands, each times the m-th power
    of `radius`, by doubling. */
 static inline void skylight_sh_7_bands_1_5pct_packed_waves(skylight_sh_7_bands_1_5pct_packed_real
-    azimuth, skylight_sh_7_bands_1_5pct_packed_real radius,
-    skylight_sh_7_bands_1_5pct_packed_real *cosines, skylight_sh_7_bands_1_5pct_packed_real *sines)
+    cosine, skylight_sh_7_bands_1_5pct_packed_real sine,
+    skylight_sh_7_bands_1_5pct_packed_real radius, skylight_sh_7_bands_1_5pct_packed_real *cosines,
+    skylight_sh_7_bands_1_5pct_packed_real *sines)
 {
     cosines[0] = 1.0f;
-    cosines[1] = radius * cosf(azimuth);
-    sines[1] = radius * sinf(azimuth);
+    cosines[1] = radius * cosine;
+    sines[1] = radius * sine;
     cosines[2] = cosines[1] * cosines[1] - sines[1] * sines[1];
     sines[2] = sines[1] * cosines[1] + cosines[1] * sines[1];
     cosines[3] = cosines[1] * cosines[2] - sines[1] * sines[2];
@@ -519,6 +775,17 @@ static inline skylight_sh_7_bands_1_5pct_packed_real skylight_sh_7_bands_1_5pct_
     return x[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_SUN] + x[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_SUN] *
         (part_1 * ((-0.166666597f) + part_1 * (0.00833306555f + part_1 * ((-0.000198095426f) +
         part_1 * 2.60563934e-06f))));
+}
+
+/* Cosine and sine of an angle of at most an eighth of a turn. */
+static inline void skylight_sh_7_bands_1_5pct_packed_quarter(skylight_sh_7_bands_1_5pct_packed_real
+    angle, skylight_sh_7_bands_1_5pct_packed_real *out)
+{
+    const float part_1 = angle * angle;
+    out[0] = 1.0f - 0.5f * part_1 + part_1 * part_1 * (0.0416666456f + part_1 * ((-0.00138873665f) +
+        part_1 * 2.44383464e-05f));
+    out[1] = angle + angle * (part_1 * ((-0.166666552f) + part_1 * (0.0083321603f + part_1 *
+        (-0.00019515281f))));
 }
 
 /* The zonal window's factor for the degree `share` * bands (Habel et al.
@@ -606,173 +873,178 @@ static inline void skylight_sh_7_bands_1_5pct_packed_factor_slopes(const double 
     const double part_14 = (-0.022700000000000001) * x[1] + 5.3250999999999999;
     const double part_15 = 0.1206 * x[1] + (-2.5771000000000002);
     const double y = part_15 * x[0] * 0.25;
-    const double part_16 = 0.0076543250999999996 + y * 0.00084900787100000003;
-    const double part_17 = 0.041223317699999998 + y * part_16;
-    const double part_18 = 0.16651516699999999 + y * part_17;
-    const double part_19 = 0.49997509099999998 + y * part_18;
-    const double part_20 = 0.99999845399999998 + y * part_19;
-    const double halo = 0.99999998400000001 + y * part_20;
+    const double y2 = y * y;
+    const double part_16 = 0.041223317699999998 + 0.0076543250999999996 * y + y2 *
+        0.00084900787100000003;
+    const double part_17 = 0.49997509099999998 + 0.16651516699999999 * y + y2 * part_16;
+    const double halo = 0.99999998400000001 + 0.99999845399999998 * y + y2 * part_17;
     const double halo2 = halo * halo;
     const double halo4 = halo2 * halo2;
-    const double part_21 = (-0.067000000000000004) * x[1] + 0.37030000000000002;
+    const double part_18 = (-0.067000000000000004) * x[1] + 0.37030000000000002;
     const double z = x[0] * x[0];
-    const double part_22 = 0.5 - z * 0.03125;
-    const double cosine = 1.0 - z * part_22;
+    const double part_19 = 0.5 - z * 0.03125;
+    const double cosine = 1.0 - z * part_19;
     const double cosine2 = cosine * cosine;
-    const double part_23 = 1.0 + part_14 * halo4 + part_21 * cosine2;
-    const double shape_y = part_13 * part_23;
-    const double part_24 = below * shape_y;
-    const double part_25 = 0.0027499999999999998 * x[1] + (-0.042139999999999997);
-    const double part_26 = part_25 * x[1] + 0.15346000000000001;
-    const double part_27 = (-0.0061000000000000004) * x[1] + 0.089700000000000002;
-    const double part_28 = part_26 * x[0] + (part_27 * x[1] + (-0.26756000000000002));
-    const double part_29 = 0.0031700000000000001 * x[1] + (-0.041529999999999997);
-    const double part_30 = part_28 * x[0] + (part_29 * x[1] + 0.066699999999999995);
-    const double y_zenith = part_30 * x[0] + (0.0051599999999999997 * x[1] + 0.26688000000000001);
-    const double part_31 = part_24 * y_zenith;
-    const double part_32 = 0.0025000000000000001 * x[1] + 0.73319999999999996;
-    const double part_33 = (-0.00040000000000000002) * x[1] + 0.21249999999999999;
-    const double part_34 = (-0.064100000000000004) * x[1] + (-0.89890000000000003);
-    const double y_2 = part_34 * x[0] * 0.25;
-    const double part_35 = 0.0076543250999999996 + y_2 * 0.00084900787100000003;
-    const double part_36 = 0.041223317699999998 + y_2 * part_35;
-    const double part_37 = 0.16651516699999999 + y_2 * part_36;
-    const double part_38 = 0.49997509099999998 + y_2 * part_37;
-    const double part_39 = 0.99999845399999998 + y_2 * part_38;
-    const double halo_2 = 0.99999998400000001 + y_2 * part_39;
+    const double part_20 = 1.0 + part_14 * halo4 + part_18 * cosine2;
+    const double shape_y = part_13 * part_20;
+    const double part_21 = below * shape_y;
+    const double part_22 = 0.0027499999999999998 * x[1] + (-0.042139999999999997);
+    const double part_23 = part_22 * x[1] + 0.15346000000000001;
+    const double part_24 = (-0.0061000000000000004) * x[1] + 0.089700000000000002;
+    const double part_25 = part_23 * x[0] + (part_24 * x[1] + (-0.26756000000000002));
+    const double part_26 = 0.0031700000000000001 * x[1] + (-0.041529999999999997);
+    const double part_27 = part_25 * x[0] + (part_26 * x[1] + 0.066699999999999995);
+    const double y_zenith = part_27 * x[0] + (0.0051599999999999997 * x[1] + 0.26688000000000001);
+    const double part_28 = part_21 * y_zenith;
+    const double part_29 = 0.0025000000000000001 * x[1] + 0.73319999999999996;
+    const double part_30 = (-0.00040000000000000002) * x[1] + 0.21249999999999999;
+    const double part_31 = (-0.064100000000000004) * x[1] + (-0.89890000000000003);
+    const double y_2 = part_31 * x[0] * 0.25;
+    const double y2_2 = y_2 * y_2;
+    const double part_32 = 0.041223317699999998 + 0.0076543250999999996 * y_2 + y2_2 *
+        0.00084900787100000003;
+    const double part_33 = 0.49997509099999998 + 0.16651516699999999 * y_2 + y2_2 * part_32;
+    const double halo_2 = 0.99999998400000001 + 0.99999845399999998 * y_2 + y2_2 * part_33;
     const double halo2_2 = halo_2 * halo_2;
     const double halo4_2 = halo2_2 * halo2_2;
-    const double part_40 = (-0.0033) * x[1] + 0.045199999999999997;
-    const double part_41 = 1.0 + part_33 * halo4_2 + part_40 * cosine2;
-    const double shape_x = part_32 * part_41;
-    const double part_42 = part_31 * shape_x;
-    const double one = zenith / part_42;
-    const double part_43 = 0.00166 * x[1] + (-0.02903);
-    const double part_44 = part_43 * x[1] + 0.11693000000000001;
-    const double part_45 = (-0.0037499999999999999) * x[1] + 0.063769999999999993;
-    const double part_46 = part_44 * x[0] + (part_45 * x[1] + (-0.21196000000000001));
-    const double part_47 = 0.0020899999999999998 * x[1] + (-0.03202);
-    const double part_48 = part_46 * x[0] + (part_47 * x[1] + 0.060519999999999997);
-    const double x_zenith = part_48 * x[0] + (0.0039399999999999999 * x[1] + 0.25885999999999998);
-    const double part_49 = one * x_zenith;
-    const double part_50 = 0.0099299999999999996 * x[1] + 0.73440000000000005;
-    const double part_51 = (-0.0079000000000000008) * x[1] + 0.2102;
-    const double part_52 = (-0.0441) * x[1] + (-1.6536999999999999);
-    const double y_3 = part_52 * x[0] * 0.25;
-    const double part_53 = 0.0076543250999999996 + y_3 * 0.00084900787100000003;
-    const double part_54 = 0.041223317699999998 + y_3 * part_53;
-    const double part_55 = 0.16651516699999999 + y_3 * part_54;
-    const double part_56 = 0.49997509099999998 + y_3 * part_55;
-    const double part_57 = 0.99999845399999998 + y_3 * part_56;
-    const double halo_3 = 0.99999998400000001 + y_3 * part_57;
+    const double part_34 = (-0.0033) * x[1] + 0.045199999999999997;
+    const double part_35 = 1.0 + part_30 * halo4_2 + part_34 * cosine2;
+    const double shape_x = part_29 * part_35;
+    const double part_36 = part_28 * shape_x;
+    const double one = zenith / part_36;
+    const double part_37 = 0.00166 * x[1] + (-0.02903);
+    const double part_38 = part_37 * x[1] + 0.11693000000000001;
+    const double part_39 = (-0.0037499999999999999) * x[1] + 0.063769999999999993;
+    const double part_40 = part_38 * x[0] + (part_39 * x[1] + (-0.21196000000000001));
+    const double part_41 = 0.0020899999999999998 * x[1] + (-0.03202);
+    const double part_42 = part_40 * x[0] + (part_41 * x[1] + 0.060519999999999997);
+    const double x_zenith = part_42 * x[0] + (0.0039399999999999999 * x[1] + 0.25885999999999998);
+    const double part_43 = one * x_zenith;
+    const double part_44 = 0.0099299999999999996 * x[1] + 0.73440000000000005;
+    const double part_45 = (-0.0079000000000000008) * x[1] + 0.2102;
+    const double part_46 = (-0.0441) * x[1] + (-1.6536999999999999);
+    const double y_3 = part_46 * x[0] * 0.25;
+    const double y2_3 = y_3 * y_3;
+    const double part_47 = 0.041223317699999998 + 0.0076543250999999996 * y_3 + y2_3 *
+        0.00084900787100000003;
+    const double part_48 = 0.49997509099999998 + 0.16651516699999999 * y_3 + y2_3 * part_47;
+    const double halo_3 = 0.99999998400000001 + 0.99999845399999998 * y_3 + y2_3 * part_48;
     const double halo2_3 = halo_3 * halo_3;
     const double halo4_3 = halo2_3 * halo2_3;
-    const double part_58 = (-0.0109) * x[1] + 0.052900000000000003;
-    const double part_59 = 1.0 + part_51 * halo4_3 + part_58 * cosine2;
-    const double shape_z = part_50 * part_59;
-    const double of_x = part_49 * shape_z;
-    out[1] = 3.7389855999999999 * of_x;
-    const double part_60 = one * y_zenith;
-    const double of_y = part_60 * shape_x;
-    const double part_61 = one * shape_z;
-    const double of_s = part_61 * shape_x;
-    out[2] = (-0.49853140000000001) * of_s;
-    out[0] = out[1] + (-1.0386070999999999) * of_y + out[2];
-    out[4] = (-1.0108219999999999) * of_x;
-    out[5] = 0.041556000000000003 * of_s;
-    out[3] = out[4] + 1.8344548000000001 * of_y + out[5];
-    out[7] = (-1.0015818000000001) * of_x;
-    out[8] = 1.0572252 * of_s;
-    out[6] = out[7] + (-1.2612511) * of_y + out[8];
-    const double part_62 = part_2 * -1.0;
-    const double part_63 = part_62 * chi + chi * part_62;
-    const double part_64 = -(part_63 * part_8 + square * -(15.0 * part_63));
-    const double part_65 = part_15 * 0.25;
-    const double part_66 = part_65 * part_20 + y * (part_65 * part_19 + y * (part_65 * part_18 + y *
-        (part_65 * part_17 + y * (part_65 * part_16 + y * (part_65 * 0.00084900787100000003)))));
-    const double part_67 = part_66 * halo + halo * part_66;
-    const double part_68 = x[0] + x[0];
-    const double part_69 = -(part_68 * part_22 + z * -(part_68 * 0.03125));
-    const double part_70 = part_69 * cosine + cosine * part_69;
-    const double part_71 = (part_26 * x[0] + part_28) * x[0] + part_30;
-    const double part_72 = part_34 * 0.25;
-    const double part_73 = part_72 * part_39 + y_2 * (part_72 * part_38 + y_2 * (part_72 * part_37 +
-        y_2 * (part_72 * part_36 + y_2 * (part_72 * part_35 + y_2 * (part_72 *
-        0.00084900787100000003)))));
-    const double part_74 = part_73 * halo_2 + halo_2 * part_73;
-    const double part_75 = part_32 * (part_33 * (part_74 * halo2_2 + halo2_2 * part_74) + part_40 *
-        part_70);
-    const double part_76 = (part_1 * (part_62 * part_5 + chi * -(part_63 * part_4 + square *
-        -part_63)) + part_7 * part_64) / part_42 - one * (((part_64 * shape_y + below * (part_13 *
-        (part_14 * (part_67 * halo2 + halo2 * part_67) + part_21 * part_70))) * y_zenith + part_24 *
-        part_71) * shape_x + part_31 * part_75) / part_42;
-    const double part_77 = part_52 * 0.25;
-    const double part_78 = part_77 * part_57 + y_3 * (part_77 * part_56 + y_3 * (part_77 * part_55 +
-        y_3 * (part_77 * part_54 + y_3 * (part_77 * part_53 + y_3 * (part_77 *
-        0.00084900787100000003)))));
-    const double part_79 = part_78 * halo_3 + halo_3 * part_78;
-    const double part_80 = part_50 * (part_51 * (part_79 * halo2_3 + halo2_3 * part_79) + part_58 *
-        part_70);
-    const double part_81 = (part_76 * x_zenith + one * ((part_44 * x[0] + part_46) * x[0] +
-        part_48)) * shape_z + part_49 * part_80;
-    out[10] = 3.7389855999999999 * part_81;
-    const double part_82 = (part_76 * y_zenith + one * part_71) * shape_x + part_60 * part_75;
-    const double part_83 = (part_76 * shape_z + one * part_80) * shape_x + part_61 * part_75;
-    out[11] = (-0.49853140000000001) * part_83;
-    out[9] = out[10] + (-1.0386070999999999) * part_82 + out[11];
-    out[13] = (-1.0108219999999999) * part_81;
-    out[14] = 0.041556000000000003 * part_83;
-    out[12] = out[13] + 1.8344548000000001 * part_82 + out[14];
-    out[16] = (-1.0015818000000001) * part_81;
-    out[17] = 1.0572252 * part_83;
-    out[15] = out[16] + (-1.2612511) * part_82 + out[17];
-    const double part_84 = -0.016666666666666666 * part_3;
-    const double part_85 = part_84 * chi + chi * part_84;
-    const double part_86 = -(part_85 * part_8 + square * -(15.0 * part_85));
-    const double part_87 = (-0.35539999999999999) * part_11 + part_10 * ((-0.35539999999999999) *
+    const double part_49 = (-0.0109) * x[1] + 0.052900000000000003;
+    const double part_50 = 1.0 + part_45 * halo4_3 + part_49 * cosine2;
+    const double shape_z = part_44 * part_50;
+    const double of_x = part_43 * shape_z;
+    out[4] = 3.7389855999999999 * of_x;
+    const double part_51 = one * y_zenith;
+    const double of_y = part_51 * shape_x;
+    const double part_52 = one * shape_z;
+    const double of_s = part_52 * shape_x;
+    out[8] = (-0.49853140000000001) * of_s;
+    out[0] = out[4] + (-1.0386070999999999) * of_y + out[8];
+    out[5] = (-1.0108219999999999) * of_x;
+    out[9] = 0.041556000000000003 * of_s;
+    out[1] = out[5] + 1.8344548000000001 * of_y + out[9];
+    out[6] = (-1.0015818000000001) * of_x;
+    out[10] = 1.0572252 * of_s;
+    out[2] = out[6] + (-1.2612511) * of_y + out[10];
+    const double part_53 = part_2 * -1.0;
+    const double part_54 = part_53 * chi + chi * part_53;
+    const double part_55 = -(part_54 * part_8 + square * -(15.0 * part_54));
+    const double part_56 = part_15 * 0.25;
+    const double part_57 = part_56 * y + y * part_56;
+    const double part_58 = 0.99999845399999998 * part_56 + (part_57 * part_17 + y2 *
+        (0.16651516699999999 * part_56 + (part_57 * part_16 + y2 * (0.0076543250999999996 * part_56
+        + part_57 * 0.00084900787100000003))));
+    const double part_59 = part_58 * halo + halo * part_58;
+    const double part_60 = x[0] + x[0];
+    const double part_61 = -(part_60 * part_19 + z * -(part_60 * 0.03125));
+    const double part_62 = part_61 * cosine + cosine * part_61;
+    const double part_63 = (part_23 * x[0] + part_25) * x[0] + part_27;
+    const double part_64 = part_31 * 0.25;
+    const double part_65 = part_64 * y_2 + y_2 * part_64;
+    const double part_66 = 0.99999845399999998 * part_64 + (part_65 * part_33 + y2_2 *
+        (0.16651516699999999 * part_64 + (part_65 * part_32 + y2_2 * (0.0076543250999999996 *
+        part_64 + part_65 * 0.00084900787100000003))));
+    const double part_67 = part_66 * halo_2 + halo_2 * part_66;
+    const double part_68 = part_29 * (part_30 * (part_67 * halo2_2 + halo2_2 * part_67) + part_34 *
+        part_62);
+    const double part_69 = (part_1 * (part_53 * part_5 + chi * -(part_54 * part_4 + square *
+        -part_54)) + part_7 * part_55) / part_36 - one * (((part_55 * shape_y + below * (part_13 *
+        (part_14 * (part_59 * halo2 + halo2 * part_59) + part_18 * part_62))) * y_zenith + part_21 *
+        part_63) * shape_x + part_28 * part_68) / part_36;
+    const double part_70 = part_46 * 0.25;
+    const double part_71 = part_70 * y_3 + y_3 * part_70;
+    const double part_72 = 0.99999845399999998 * part_70 + (part_71 * part_48 + y2_3 *
+        (0.16651516699999999 * part_70 + (part_71 * part_47 + y2_3 * (0.0076543250999999996 *
+        part_70 + part_71 * 0.00084900787100000003))));
+    const double part_73 = part_72 * halo_3 + halo_3 * part_72;
+    const double part_74 = part_44 * (part_45 * (part_73 * halo2_3 + halo2_3 * part_73) + part_49 *
+        part_62);
+    const double part_75 = (part_69 * x_zenith + one * ((part_38 * x[0] + part_40) * x[0] +
+        part_42)) * shape_z + part_43 * part_74;
+    out[16] = 3.7389855999999999 * part_75;
+    const double part_76 = (part_69 * y_zenith + one * part_63) * shape_x + part_51 * part_68;
+    const double part_77 = (part_69 * shape_z + one * part_74) * shape_x + part_52 * part_68;
+    out[20] = (-0.49853140000000001) * part_77;
+    out[12] = out[16] + (-1.0386070999999999) * part_76 + out[20];
+    out[17] = (-1.0108219999999999) * part_75;
+    out[21] = 0.041556000000000003 * part_77;
+    out[13] = out[17] + 1.8344548000000001 * part_76 + out[21];
+    out[18] = (-1.0015818000000001) * part_75;
+    out[22] = 1.0572252 * part_77;
+    out[14] = out[18] + (-1.2612511) * part_76 + out[22];
+    const double part_78 = -0.016666666666666666 * part_3;
+    const double part_79 = part_78 * chi + chi * part_78;
+    const double part_80 = -(part_79 * part_8 + square * -(15.0 * part_79));
+    const double part_81 = (-0.35539999999999999) * part_11 + part_10 * ((-0.35539999999999999) *
         0.03125);
-    const double part_88 = part_87 * up + up * part_87;
-    const double part_89 = 0.1206 * x[0] * 0.25;
-    const double part_90 = part_89 * part_20 + y * (part_89 * part_19 + y * (part_89 * part_18 + y *
-        (part_89 * part_17 + y * (part_89 * part_16 + y * (part_89 * 0.00084900787100000003)))));
-    const double part_91 = part_90 * halo + halo * part_90;
-    const double part_92 = (((0.0027499999999999998 * x[1] + part_25) * x[0] +
-        ((-0.0061000000000000004) * x[1] + part_27)) * x[0] + (0.0031700000000000001 * x[1] +
-        part_29)) * x[0] + 0.0051599999999999997;
-    const double part_93 = (-0.064100000000000004) * x[0] * 0.25;
-    const double part_94 = part_93 * part_39 + y_2 * (part_93 * part_38 + y_2 * (part_93 * part_37 +
-        y_2 * (part_93 * part_36 + y_2 * (part_93 * part_35 + y_2 * (part_93 *
-        0.00084900787100000003)))));
-    const double part_95 = part_94 * halo_2 + halo_2 * part_94;
-    const double part_96 = 0.0025000000000000001 * part_41 + part_32 * ((-0.00040000000000000002) *
-        halo4_2 + part_33 * (part_95 * halo2_2 + halo2_2 * part_95) + (-0.0033) * cosine2);
-    const double part_97 = (4045.3000000000002 * part_6 + part_1 * (part_84 * part_5 + chi *
-        -(part_85 * part_4 + square * -part_85)) + (-215.5 * below + part_7 * part_86)) / part_42 -
-        one * (((part_86 * shape_y + below * ((0.1787 * part_12 + part_9 * (part_88 * up2 + up2 *
-        part_88)) * part_23 + part_13 * ((-0.022700000000000001) * halo4 + part_14 * (part_91 *
-        halo2 + halo2 * part_91) + (-0.067000000000000004) * cosine2))) * y_zenith + part_24 *
-        part_92) * shape_x + part_31 * part_96) / part_42;
-    const double part_98 = (-0.0441) * x[0] * 0.25;
-    const double part_99 = part_98 * part_57 + y_3 * (part_98 * part_56 + y_3 * (part_98 * part_55 +
-        y_3 * (part_98 * part_54 + y_3 * (part_98 * part_53 + y_3 * (part_98 *
-        0.00084900787100000003)))));
-    const double part_100 = part_99 * halo_3 + halo_3 * part_99;
-    const double part_101 = 0.0099299999999999996 * part_59 + part_50 * ((-0.0079000000000000008) *
-        halo4_3 + part_51 * (part_100 * halo2_3 + halo2_3 * part_100) + (-0.0109) * cosine2);
-    const double part_102 = (part_97 * x_zenith + one * ((((0.00166 * x[1] + part_43) * x[0] +
-        ((-0.0037499999999999999) * x[1] + part_45)) * x[0] + (0.0020899999999999998 * x[1] +
-        part_47)) * x[0] + 0.0039399999999999999)) * shape_z + part_49 * part_101;
-    out[19] = 3.7389855999999999 * part_102;
-    const double part_103 = (part_97 * y_zenith + one * part_92) * shape_x + part_60 * part_96;
-    const double part_104 = (part_97 * shape_z + one * part_101) * shape_x + part_61 * part_96;
-    out[20] = (-0.49853140000000001) * part_104;
-    out[18] = out[19] + (-1.0386070999999999) * part_103 + out[20];
-    out[22] = (-1.0108219999999999) * part_102;
-    out[23] = 0.041556000000000003 * part_104;
-    out[21] = out[22] + 1.8344548000000001 * part_103 + out[23];
-    out[25] = (-1.0015818000000001) * part_102;
-    out[26] = 1.0572252 * part_104;
-    out[24] = out[25] + (-1.2612511) * part_103 + out[26];
+    const double part_82 = part_81 * up + up * part_81;
+    const double part_83 = 0.1206 * x[0] * 0.25;
+    const double part_84 = part_83 * y + y * part_83;
+    const double part_85 = 0.99999845399999998 * part_83 + (part_84 * part_17 + y2 *
+        (0.16651516699999999 * part_83 + (part_84 * part_16 + y2 * (0.0076543250999999996 * part_83
+        + part_84 * 0.00084900787100000003))));
+    const double part_86 = part_85 * halo + halo * part_85;
+    const double part_87 = (((0.0027499999999999998 * x[1] + part_22) * x[0] +
+        ((-0.0061000000000000004) * x[1] + part_24)) * x[0] + (0.0031700000000000001 * x[1] +
+        part_26)) * x[0] + 0.0051599999999999997;
+    const double part_88 = (-0.064100000000000004) * x[0] * 0.25;
+    const double part_89 = part_88 * y_2 + y_2 * part_88;
+    const double part_90 = 0.99999845399999998 * part_88 + (part_89 * part_33 + y2_2 *
+        (0.16651516699999999 * part_88 + (part_89 * part_32 + y2_2 * (0.0076543250999999996 *
+        part_88 + part_89 * 0.00084900787100000003))));
+    const double part_91 = part_90 * halo_2 + halo_2 * part_90;
+    const double part_92 = 0.0025000000000000001 * part_35 + part_29 * ((-0.00040000000000000002) *
+        halo4_2 + part_30 * (part_91 * halo2_2 + halo2_2 * part_91) + (-0.0033) * cosine2);
+    const double part_93 = (4045.3000000000002 * part_6 + part_1 * (part_78 * part_5 + chi *
+        -(part_79 * part_4 + square * -part_79)) + (-215.5 * below + part_7 * part_80)) / part_36 -
+        one * (((part_80 * shape_y + below * ((0.1787 * part_12 + part_9 * (part_82 * up2 + up2 *
+        part_82)) * part_20 + part_13 * ((-0.022700000000000001) * halo4 + part_14 * (part_86 *
+        halo2 + halo2 * part_86) + (-0.067000000000000004) * cosine2))) * y_zenith + part_21 *
+        part_87) * shape_x + part_28 * part_92) / part_36;
+    const double part_94 = (-0.0441) * x[0] * 0.25;
+    const double part_95 = part_94 * y_3 + y_3 * part_94;
+    const double part_96 = 0.99999845399999998 * part_94 + (part_95 * part_48 + y2_3 *
+        (0.16651516699999999 * part_94 + (part_95 * part_47 + y2_3 * (0.0076543250999999996 *
+        part_94 + part_95 * 0.00084900787100000003))));
+    const double part_97 = part_96 * halo_3 + halo_3 * part_96;
+    const double part_98 = 0.0099299999999999996 * part_50 + part_44 * ((-0.0079000000000000008) *
+        halo4_3 + part_45 * (part_97 * halo2_3 + halo2_3 * part_97) + (-0.0109) * cosine2);
+    const double part_99 = (part_93 * x_zenith + one * ((((0.00166 * x[1] + part_37) * x[0] +
+        ((-0.0037499999999999999) * x[1] + part_39)) * x[0] + (0.0020899999999999998 * x[1] +
+        part_41)) * x[0] + 0.0039399999999999999)) * shape_z + part_43 * part_98;
+    out[28] = 3.7389855999999999 * part_99;
+    const double part_100 = (part_93 * y_zenith + one * part_87) * shape_x + part_51 * part_92;
+    const double part_101 = (part_93 * shape_z + one * part_98) * shape_x + part_52 * part_92;
+    out[32] = (-0.49853140000000001) * part_101;
+    out[24] = out[28] + (-1.0386070999999999) * part_100 + out[32];
+    out[29] = (-1.0108219999999999) * part_99;
+    out[33] = 0.041556000000000003 * part_101;
+    out[25] = out[29] + 1.8344548000000001 * part_100 + out[33];
+    out[30] = (-1.0015818000000001) * part_99;
+    out[34] = 1.0572252 * part_101;
+    out[26] = out[30] + (-1.2612511) * part_100 + out[34];
     (void)x;
 }
 
@@ -816,7 +1088,8 @@ static inline int skylight_sh_7_bands_1_5pct_packed_inputs(const float
         skylight_sh_7_bands_1_5pct_packed_kind(inputs[axis]);
     if (strange & 2) return 2;
     for (axis = 0; axis < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_AXES; ++axis) {
-        const float v = skylight_sh_7_bands_1_5pct_packed_finite(inputs[axis]);
+        const float v = strange ? skylight_sh_7_bands_1_5pct_packed_finite(inputs[axis]) :
+            inputs[axis];
         const skylight_sh_7_bands_1_5pct_packed_real low =
             skylight_sh_7_bands_1_5pct_packed_range[axis][0],
             high = skylight_sh_7_bands_1_5pct_packed_range[axis][1];
@@ -830,115 +1103,34 @@ static inline int skylight_sh_7_bands_1_5pct_packed_inputs(const float
     return status;
 }
 
-/* Numbers side by side where the compiler has vector types: as many as the processor's registers
-   hold, and four. */
-#if defined(__GNUC__) && (defined(__SSE__) || defined(__ARM_NEON) || defined(__ALTIVEC__) || \
-                          defined(__wasm_simd128__) || defined(__loongarch_sx))
-#if defined(__AVX512F__)
-#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_LANES 16
-#elif defined(__AVX__)
-#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_LANES 8
-#else
-#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_LANES 4
-#endif
-#endif
-/* What is worth its place in every caller. */
-#ifdef __GNUC__
-#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_INLINE static inline __attribute__((always_inline))
-#else
-#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_INLINE static inline
-#endif
-#ifdef SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_LANES
-#ifdef __FMA__
-/* One operation for a product and a sum, which standard C may not choose by itself. */
-#include <immintrin.h>
-#endif
-typedef float skylight_sh_7_bands_1_5pct_packed_lanes __attribute__((vector_size(4 *
-    SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_LANES)));
-typedef float skylight_sh_7_bands_1_5pct_packed_four __attribute__((vector_size(16)));
-typedef int skylight_sh_7_bands_1_5pct_packed_order __attribute__((vector_size(16)));
-
-/* The same number in all places: v - 0 is v, which 0 + v need not be. */
-static inline skylight_sh_7_bands_1_5pct_packed_lanes skylight_sh_7_bands_1_5pct_packed_spread(float
-    v)
+/* The cosine and sine of an angle. */
+static inline void skylight_sh_7_bands_1_5pct_packed_circle(skylight_sh_7_bands_1_5pct_packed_real
+    angle, skylight_sh_7_bands_1_5pct_packed_real *cosine,
+                                      skylight_sh_7_bands_1_5pct_packed_real *sine)
 {
-    const skylight_sh_7_bands_1_5pct_packed_lanes zeros = {0};
-    return v - zeros;
+    /* By the nearest quarter turn and the rest of it: without a branch, which a processor would
+     * have
+       to guess. The rest in double, since the two nearly cancel. */
+    float out[2];
+    uint32_t bits[2], quarter, swapped;
+    int quarters;
+    if (!(angle > -1e5f && angle < 1e5f)) {
+        *cosine = cosf(angle);
+        *sine = sinf(angle);
+        return;
+    }
+    quarters = (int)(angle * 0.636619772f + copysignf(0.5f, angle));
+    skylight_sh_7_bands_1_5pct_packed_quarter((float)((double)angle - (double)quarters *
+        1.5707963267948966), out);
+    memcpy(bits, out, sizeof bits);
+    quarter = (uint32_t)quarters;
+    /* Odd quarters swap the two; each changes its sign in two of four. */
+    swapped = (bits[0] ^ bits[1]) & (0u - (quarter & 1u));
+    bits[0] ^= swapped ^ (((quarter + 1u) & 2u) << 30);
+    bits[1] ^= swapped ^ ((quarter & 2u) << 30);
+    memcpy(cosine, &bits[0], sizeof bits[0]);
+    memcpy(sine, &bits[1], sizeof bits[1]);
 }
-
-static inline skylight_sh_7_bands_1_5pct_packed_lanes skylight_sh_7_bands_1_5pct_packed_load(const
-    float *from)
-{
-    skylight_sh_7_bands_1_5pct_packed_lanes v;
-    memcpy(&v, from, sizeof v);
-    return v;
-}
-
-/* a * b + c. */
-static inline skylight_sh_7_bands_1_5pct_packed_lanes
-    skylight_sh_7_bands_1_5pct_packed_add(skylight_sh_7_bands_1_5pct_packed_lanes a,
-    skylight_sh_7_bands_1_5pct_packed_lanes b,
-                                                skylight_sh_7_bands_1_5pct_packed_lanes c)
-{
-#if defined(__FMA__) && SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_LANES == 16
-    return _mm512_fmadd_ps(a, b, c);
-#elif defined(__FMA__) && SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_LANES == 8
-    return _mm256_fmadd_ps(a, b, c);
-#else
-    return a * b + c;
-#endif
-}
-
-static inline skylight_sh_7_bands_1_5pct_packed_four
-    skylight_sh_7_bands_1_5pct_packed_spread_four(float v)
-{
-    const skylight_sh_7_bands_1_5pct_packed_four zeros = {0};
-    return v - zeros;
-}
-
-static inline skylight_sh_7_bands_1_5pct_packed_four
-    skylight_sh_7_bands_1_5pct_packed_load_four(const float *from)
-{
-    skylight_sh_7_bands_1_5pct_packed_four v;
-    memcpy(&v, from, sizeof v);
-    return v;
-}
-
-static inline skylight_sh_7_bands_1_5pct_packed_four
-    skylight_sh_7_bands_1_5pct_packed_add_four(skylight_sh_7_bands_1_5pct_packed_four a,
-    skylight_sh_7_bands_1_5pct_packed_four b,
-                                                    skylight_sh_7_bands_1_5pct_packed_four c)
-{
-#ifdef __FMA__
-    return _mm_fmadd_ps(a, b, c);
-#else
-    return a * b + c;
-#endif
-}
-
-static inline void skylight_sh_7_bands_1_5pct_packed_keep(float *to,
-    skylight_sh_7_bands_1_5pct_packed_four v)
-{
-    memcpy(to, &v, sizeof v);
-}
-
-/* Four of the eight numbers of two vectors. */
-#ifdef __clang__
-#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_PICK(v, w, a, b, c, d) __builtin_shufflevector(v, w, a, \
-    b, c, d)
-#else
-#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_PICK(v, w, a, b, c, d) \
-    skylight_sh_7_bands_1_5pct_packed_pick(v, w, a, b, c, d)
-static inline skylight_sh_7_bands_1_5pct_packed_four
-    skylight_sh_7_bands_1_5pct_packed_pick(skylight_sh_7_bands_1_5pct_packed_four v,
-    skylight_sh_7_bands_1_5pct_packed_four w, int a,
-                                                int b, int c, int d)
-{
-    const skylight_sh_7_bands_1_5pct_packed_order order = {a, b, c, d};
-    return __builtin_shuffle(v, w, order);
-}
-#endif
-#endif
 
 /* One channel's sums, from those of its classes. */
 static inline void skylight_sh_7_bands_1_5pct_packed_mix(skylight_sh_7_bands_1_5pct_packed_real
@@ -950,11 +1142,10 @@ static inline void skylight_sh_7_bands_1_5pct_packed_mix(skylight_sh_7_bands_1_5
     int i;
     int k;
     for (i = 0; i < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WIDTH; ++i)
-        mixed[i] = factors[channel * SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASSES] * sums[0][i];
+        mixed[i] = factors[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_FACTOR(channel, 0)] * sums[0][i];
     for (k = 1; k < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASSES; ++k)
         for (i = 0; i < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WIDTH; ++i)
-            mixed[i] += factors[channel * SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASSES + k] *
-                sums[k][i];
+            mixed[i] += factors[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_FACTOR(channel, k)] * sums[k][i];
 }
 
 /* Orders m >= 0 alone are stored: those of a light that is even in y at azimuth 0. */
@@ -999,12 +1190,12 @@ static inline void skylight_sh_7_bands_1_5pct_packed_store(
         skylight_sh_7_bands_1_5pct_packed_four v[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_FOURS];
         for (q = 0; q < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_FOURS; ++q) {
             int k;
-            v[q] = factors[channel * SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASSES] *
-                skylight_sh_7_bands_1_5pct_packed_load_four(sums[0] + 4 * q);
+            v[q] = factors[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_FACTOR(channel,
+                0)] * skylight_sh_7_bands_1_5pct_packed_load_four(sums[0] + 4 * q);
             for (k = 1; k < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASSES; ++k)
                 v[q] = skylight_sh_7_bands_1_5pct_packed_add_four(
-                    skylight_sh_7_bands_1_5pct_packed_spread_four(factors[channel *
-                        SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASSES + k]),
+                    skylight_sh_7_bands_1_5pct_packed_spread_four(factors
+                        [SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_FACTOR(channel, k)]),
                     skylight_sh_7_bands_1_5pct_packed_load_four(sums[k] + 4 * q), v[q]);
         }
 #define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BAND(l, stores) \
@@ -1060,6 +1251,10 @@ static inline void skylight_sh_7_bands_1_5pct_packed_store(
 #define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BLOCK \
     ((SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_VECTORS(SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WIDTH) + \
         SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BLOCKS - 1) / SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BLOCKS)
+/* What is done for each vector of a block: written out, since a compiler that keeps loops keeps
+ * their
+   vectors in memory. */
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_EACH(DO) DO(0) DO(1) DO(2) DO(3) DO(4) DO(5) DO(6) DO(7)
 #endif
 
 /* The products of the functions of all axes, of one class in the order of its rows. */
@@ -1097,41 +1292,52 @@ static inline void skylight_sh_7_bands_1_5pct_packed_sum_block(const
                                          const skylight_sh_7_bands_1_5pct_packed_real *products,
                                              skylight_sh_7_bands_1_5pct_packed_real *sums)
 {
-    skylight_sh_7_bands_1_5pct_packed_lanes
-        total[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_SIDE][SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BLOCK];
-    int t, i, k;
-    for (i = 0; i < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_SIDE; ++i)
-        for (k = 0; k < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BLOCK; ++k) total[i][k] =
-            skylight_sh_7_bands_1_5pct_packed_spread(0);
+    skylight_sh_7_bands_1_5pct_packed_lanes total[8];
+    int t;
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_ZERO(k) total[k] = \
+    skylight_sh_7_bands_1_5pct_packed_spread(0);
+    /* Vector k of so many rows side by side. */
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_ROWS(k) \
+    if ((k) / SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BLOCK < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_SIDE) \
+        total[k] = skylight_sh_7_bands_1_5pct_packed_add( \
+            skylight_sh_7_bands_1_5pct_packed_spread(products[t + (k) / \
+                SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BLOCK]), \
+            skylight_sh_7_bands_1_5pct_packed_load(row + (k) / \
+                SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BLOCK * SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WIDTH \
+                + \
+                             (k) % SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BLOCK * \
+                                 SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_LANES), \
+            total[k]);
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_ROW(k) \
+    if ((k) < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BLOCK) \
+        total[k] = \
+            skylight_sh_7_bands_1_5pct_packed_add(skylight_sh_7_bands_1_5pct_packed_spread( \
+            products[t]), \
+                                   skylight_sh_7_bands_1_5pct_packed_load(row + (k) * \
+                                       SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_LANES), total[k]);
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_SIDES(k) \
+    if ((k) >= SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BLOCK) total[(k) % \
+        SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BLOCK] += total[k];
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_SUM(k) \
+    if ((k) < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BLOCK) memcpy(sums + (k) * \
+        SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_LANES, &total[k], sizeof total[k]);
+    SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_EACH(SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_ZERO)
     for (t = 0; t + SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_SIDE <= terms; t +=
         SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_SIDE) {
-        for (i = 0; i < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_SIDE; ++i) {
-            const skylight_sh_7_bands_1_5pct_packed_lanes product =
-                skylight_sh_7_bands_1_5pct_packed_spread(products[t + i]);
-            for (k = 0; k < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BLOCK; ++k)
-                total[i][k] = skylight_sh_7_bands_1_5pct_packed_add(
-                    product, skylight_sh_7_bands_1_5pct_packed_load(row + i *
-                        SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WIDTH + k *
-                        SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_LANES),
-                    total[i][k]);
-        }
+        SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_EACH(SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_ROWS)
         row += SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_SIDE * SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WIDTH;
     }
     for (; t < terms; ++t) {
-        const skylight_sh_7_bands_1_5pct_packed_lanes product =
-            skylight_sh_7_bands_1_5pct_packed_spread(products[t]);
-        for (k = 0; k < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BLOCK; ++k)
-            total[0][k] = skylight_sh_7_bands_1_5pct_packed_add(product,
-                skylight_sh_7_bands_1_5pct_packed_load(row + k *
-                SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_LANES),
-                                          total[0][k]);
+        SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_EACH(SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_ROW)
         row += SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WIDTH;
     }
-    for (k = 0; k < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BLOCK; ++k) {
-        for (i = 1; i < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_SIDE; ++i) total[0][k] += total[i][k];
-        memcpy(sums + k * SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_LANES, &total[0][k],
-            sizeof total[0][k]);
-    }
+    SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_EACH(SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_SIDES)
+    SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_EACH(SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_SUM)
+#undef SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_ZERO
+#undef SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_ROWS
+#undef SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_ROW
+#undef SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_SIDES
+#undef SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_SUM
 }
 
 /* The same for one vector of each row. */
@@ -1271,14 +1477,26 @@ typedef struct {
     int count;
 } skylight_sh_7_bands_1_5pct_packed_bits;
 
-static inline void skylight_sh_7_bands_1_5pct_packed_fill(skylight_sh_7_bands_1_5pct_packed_bits *b)
+/* Holds at least 56 bits, at most 63, so that there is a zero above them; past the stream's end
+ * there
+   are zeros. What stands above `count` bits is the stream's too, and is read again. */
+SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_INLINE void
+    skylight_sh_7_bands_1_5pct_packed_fill(skylight_sh_7_bands_1_5pct_packed_bits *b)
 {
     const unsigned char *const end = skylight_sh_7_bands_1_5pct_packed_stream + sizeof
         skylight_sh_7_bands_1_5pct_packed_stream;
-    /* At most 63 bits, so that there is a zero above them. */
-    while (b->count < 56 && b->next < end) {
-        b->held |= (uint64_t)*b->next++ << b->count;
-        b->count += 8;
+    const unsigned char *const p = b->next;
+    if (end - p >= 8) {
+        /* One load, whatever the order of a machine's bytes. */
+        const uint64_t word = (uint64_t)p[0] | (uint64_t)p[1] << 8 | (uint64_t)p[2] << 16 |
+                              (uint64_t)p[3] << 24 | (uint64_t)p[4] << 32 | (uint64_t)p[5] << 40 |
+                              (uint64_t)p[6] << 48 | (uint64_t)p[7] << 56;
+        b->held = (b->held | word << b->count) & (UINT64_MAX >> 1);
+        b->next += (63 - b->count) >> 3;
+        b->count |= 56;
+    } else {
+        for (; b->count < 56; b->count += 8)
+            if (b->next < end) b->held |= (uint64_t)*b->next++ << b->count;
     }
 }
 
@@ -1306,25 +1524,48 @@ static inline int skylight_sh_7_bands_1_5pct_packed_ones(uint64_t held)
 #endif
 }
 
-/* A Rice code of `low` low bits: ones, a zero, the low bits; then folded back: 0, 1, 2, 3 -> 0, -1,
-   1, -2. */
-static inline int skylight_sh_7_bands_1_5pct_packed_rice(skylight_sh_7_bands_1_5pct_packed_bits *b,
-    int low)
+/* The bits after a Rice code that is longer than what is held, and its number, folded. */
+static inline skylight_sh_7_bands_1_5pct_packed_bits
+    skylight_sh_7_bands_1_5pct_packed_long(skylight_sh_7_bands_1_5pct_packed_bits b, int low,
+    unsigned *folded)
 {
-    unsigned high = 0, folded;
+    unsigned high = 0;
     int ones;
-    if (b->count < 32) skylight_sh_7_bands_1_5pct_packed_fill(b);
-    while ((ones = skylight_sh_7_bands_1_5pct_packed_ones(b->held)) >= b->count) {
-        high += (unsigned)b->count;
-        b->held = 0;
-        b->count = 0;
-        skylight_sh_7_bands_1_5pct_packed_fill(b);
+    while ((ones = skylight_sh_7_bands_1_5pct_packed_ones(b.held)) >= b.count) {
+        high += (unsigned)b.count;
+        b.held = 0;
+        b.count = 0;
+        skylight_sh_7_bands_1_5pct_packed_fill(&b);
     }
     high += (unsigned)ones;
-    b->held = b->held >> ones >> 1;
-    b->count -= ones + 1;
-    folded = (high << low) | skylight_sh_7_bands_1_5pct_packed_fixed(b, low);
-    return folded & 1 ? -(int)(folded >> 1) - 1 : (int)(folded >> 1);
+    b.held = b.held >> ones >> 1;
+    b.count -= ones + 1;
+    *folded = (high << low) | skylight_sh_7_bands_1_5pct_packed_fixed(&b, low);
+    return b;
+}
+
+/* A Rice code of `low` low bits: ones, a zero, the low bits; then folded back: 0, 1, 2, 3 -> 0, -1,
+   1, -2. */
+SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_INLINE int
+    skylight_sh_7_bands_1_5pct_packed_rice(skylight_sh_7_bands_1_5pct_packed_bits *b, int low)
+{
+    unsigned folded;
+    int ones, size;
+    if (b->count < 32) skylight_sh_7_bands_1_5pct_packed_fill(b);
+    ones = skylight_sh_7_bands_1_5pct_packed_ones(b->held);
+    size = ones + 1 + low;
+    if (size <= b->count) {
+        /* All of it is held: what follows waits for one shift. */
+        const uint64_t rest = b->held >> ones >> 1;
+        folded = ((unsigned)ones << low) | (unsigned)(rest & ((UINT64_C(1) << low) - 1));
+        b->held >>= size;
+        b->count -= size;
+    } else {
+        unsigned found;
+        *b = skylight_sh_7_bands_1_5pct_packed_long(*b, low, &found);
+        folded = found;
+    }
+    return (int)(folded >> 1) ^ -(int)(folded & 1);
 }
 
 /* The stream from its start. */
@@ -1348,7 +1589,7 @@ static inline void
 }
 
 /* The length of the next run, by that of the same class and product at the weight before. */
-static inline int
+SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_INLINE int
     skylight_sh_7_bands_1_5pct_packed_next_length(skylight_sh_7_bands_1_5pct_packed_bits *b,
     signed char *length)
 {
@@ -1358,7 +1599,7 @@ static inline int
 }
 
 /* The next number, of `size` half low bits. */
-static inline int
+SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_INLINE int
     skylight_sh_7_bands_1_5pct_packed_next_number(skylight_sh_7_bands_1_5pct_packed_bits *b,
     int size)
 {
@@ -1522,11 +1763,9 @@ static inline int skylight_sh_7_bands_1_5pct_packed_evaluate(const
         sines[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BANDS];
     skylight_sh_7_bands_1_5pct_packed_real
         sums[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASSES][SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_ROOM];
-    skylight_sh_7_bands_1_5pct_packed_real factors[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CHANNELS *
-        SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASSES];
+    skylight_sh_7_bands_1_5pct_packed_real factors[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_FACTORS];
     skylight_sh_7_bands_1_5pct_packed_real light = SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_EXPOSURE,
-        radius = 1;
-    skylight_sh_7_bands_1_5pct_packed_real early[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_EARLY];
+        radius = 1, cosine, sine;
     int i, all, status = skylight_sh_7_bands_1_5pct_packed_inputs(inputs, azimuth, x);
     if (status == 2) {
         memset(weights, 0, sizeof(float) * SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CHANNELS *
@@ -1537,26 +1776,21 @@ static inline int skylight_sh_7_bands_1_5pct_packed_evaluate(const
         bands = bands < 1 ? 1 : SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BANDS;
         status = 1;
     }
-    /* First what the library computes: calls keep no registers. */
+    skylight_sh_7_bands_1_5pct_packed_circle((skylight_sh_7_bands_1_5pct_packed_real)azimuth,
+        &cosine, &sine);
     radius = skylight_sh_7_bands_1_5pct_packed_sine(x);
-    skylight_sh_7_bands_1_5pct_packed_waves((skylight_sh_7_bands_1_5pct_packed_real)azimuth, radius,
-        cosines, sines);
+    skylight_sh_7_bands_1_5pct_packed_waves(cosine, sine, radius, cosines, sines);
     skylight_sh_7_bands_1_5pct_packed_first(x, first);
     skylight_sh_7_bands_1_5pct_packed_others(x, others);
-    skylight_sh_7_bands_1_5pct_packed_begin_factors(x, early);
+    skylight_sh_7_bands_1_5pct_packed_factors(x, factors);
+    for (i = 0; i < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_FACTORS; ++i) factors[i] *= light;
     all = bands;
     if (!rows) skylight_sh_7_bands_1_5pct_packed_sum_stream(first, others, all, sums);
-    if (rows)
-        skylight_sh_7_bands_1_5pct_packed_sum_class(rows, 0, first, others, all, sums[0]);
-    /* Between sums: what has begun above waits for itself, and there is more to do meanwhile. */
-    skylight_sh_7_bands_1_5pct_packed_end_factors(x, early, factors);
-    for (i = 0; i < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CHANNELS *
-        SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASSES; ++i) factors[i] *= light;
     if (rows)
     {
 #define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASS(k) \
     skylight_sh_7_bands_1_5pct_packed_sum_class(rows, k, first, others, all, sums[k]);
-        SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_OTHER_CLASSES(SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASS)
+        SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_ALL_CLASSES(SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASS)
 #undef SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASS
     }
     skylight_sh_7_bands_1_5pct_packed_store(sums, factors, cosines, sines, all, weights);
@@ -1589,6 +1823,10 @@ static inline int skylight_sh_7_bands_1_5pct_packed_evaluate_one(const
                                 SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BANDS, weights);
 }
 
+/* Numbers of one sun's weights. */
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_NUMBERS (SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CHANNELS * \
+    SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WEIGHTS)
+
 /* Evaluates `count` suns from arrays, one an axis, and one of azimuths (or none, where the table
    fixes it); returns the largest status. */
 static inline int skylight_sh_7_bands_1_5pct_packed_evaluate_batch(
@@ -1598,8 +1836,8 @@ static inline int skylight_sh_7_bands_1_5pct_packed_evaluate_batch(
         (*weights)[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CHANNELS]
         [SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WEIGHTS])
 {
-    int s, status, worst = 0;
-    for (s = 0; s < count; ++s) {
+    int s = 0, status, worst = 0;
+    for (; s < count; ++s) {
         status = skylight_sh_7_bands_1_5pct_packed_evaluate_one(rows, inputs, azimuths, s,
             weights[s]);
         worst = status > worst ? status : worst;
@@ -1628,8 +1866,7 @@ static inline int skylight_sh_7_bands_1_5pct_packed_evaluate_columns(const
                 some[k]);
             worst = status > worst ? status : worst;
         }
-        for (i = 0; i < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CHANNELS *
-            SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WEIGHTS; ++i)
+        for (i = 0; i < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_NUMBERS; ++i)
             for (k = 0; k < now; ++k)
                 weights[(size_t)i * step + (size_t)(s + k)] =
                     some[k][i / SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_WEIGHTS][i %
@@ -1681,7 +1918,7 @@ static inline double skylight_sh_7_bands_1_5pct_packed_mixed_double(double
     double sum = 0.0;
     int k;
     for (k = 0; k < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASSES; ++k)
-        sum += factors[channel * SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_CLASSES + k] * sums[k][column];
+        sum += factors[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_FACTOR(channel, k)] * sums[k][column];
     return sum;
 }
 
@@ -1710,7 +1947,7 @@ static inline int skylight_sh_7_bands_1_5pct_packed_evaluate_gradient(
     double powers[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BANDS],
         power_slopes[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BANDS];
     skylight_sh_7_bands_1_5pct_packed_real cosines[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BANDS],
-        sines[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BANDS];
+        sines[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_BANDS], of_x, of_y;
     int axis, channel, i, l, m, sunk = 0;
     const int status =
         skylight_sh_7_bands_1_5pct_packed_evaluate(rows, inputs, azimuth,
@@ -1743,8 +1980,9 @@ static inline int skylight_sh_7_bands_1_5pct_packed_evaluate_gradient(
             power_slopes[m] = (double)m * powers[m - 1] * sine[1];
         }
     }
-    skylight_sh_7_bands_1_5pct_packed_waves((skylight_sh_7_bands_1_5pct_packed_real)azimuth, 1,
-        cosines, sines);
+    skylight_sh_7_bands_1_5pct_packed_circle((skylight_sh_7_bands_1_5pct_packed_real)azimuth, &of_x,
+        &of_y);
+    skylight_sh_7_bands_1_5pct_packed_waves(of_x, of_y, 1, cosines, sines);
     skylight_sh_7_bands_1_5pct_packed_sum_double(rows, functions, sums);
     for (axis = 0; axis < SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_AXES; ++axis) {
         double kept[SKYLIGHT_SH_7_BANDS_1_5PCT_PACKED_MOST];

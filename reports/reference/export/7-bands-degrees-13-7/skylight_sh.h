@@ -65,7 +65,7 @@ before."
 #endif
 
 #ifndef SKYLIGHT_SH_7_BANDS_DEGREES_13_7_H
-#define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_H 0x25619f4e
+#define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_H 0x629118fa
 
 #include <math.h>
 #include <stdint.h>
@@ -144,7 +144,7 @@ SKYLIGHT_SH_7_BANDS_DEGREES_13_7_API void skylight_sh_7_bands_degrees_13_7_windo
     float
     weights[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_CHANNELS][SKYLIGHT_SH_7_BANDS_DEGREES_13_7_WEIGHTS]);
 
-#elif SKYLIGHT_SH_7_BANDS_DEGREES_13_7_H != 0x25619f4e
+#elif SKYLIGHT_SH_7_BANDS_DEGREES_13_7_H != 0x629118fa
 #error "Another table has the prefix skylight_sh_7_bands_degrees_13_7_7_bands_degrees_13_7 \
 already: export one of them under a prefix of its own."
 #endif /* SKYLIGHT_SH_7_BANDS_DEGREES_13_7_H */
@@ -153,6 +153,138 @@ already: export one of them under a prefix of its own."
     defined(SKYLIGHT_SH_7_BANDS_DEGREES_13_7_IMPLEMENTATION)) && \
     !defined(SKYLIGHT_SH_7_BANDS_DEGREES_13_7_DEFINED)
 #define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_DEFINED
+
+/* Numbers side by side where the compiler has vector types: as many as the processor's registers
+   hold, and four. */
+#if defined(__GNUC__) && (defined(__SSE__) || defined(__ARM_NEON) || defined(__ALTIVEC__) || \
+                          defined(__wasm_simd128__) || defined(__loongarch_sx))
+#if defined(__AVX512F__)
+#define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_LANES 16
+#elif defined(__AVX__)
+#define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_LANES 8
+#else
+#define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_LANES 4
+#endif
+#endif
+/* What is worth its place in every caller; what lies at the start of a cache line. */
+#ifdef __GNUC__
+#define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_INLINE static inline __attribute__((always_inline))
+#define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_ALIGNED __attribute__((aligned(64)))
+#else
+#define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_INLINE static inline
+#define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_ALIGNED
+#endif
+#ifdef SKYLIGHT_SH_7_BANDS_DEGREES_13_7_LANES
+#ifdef __FMA__
+/* One operation for a product and a sum, which standard C may not choose by itself. */
+#include <immintrin.h>
+#endif
+typedef float skylight_sh_7_bands_degrees_13_7_lanes __attribute__((vector_size(4 *
+    SKYLIGHT_SH_7_BANDS_DEGREES_13_7_LANES)));
+typedef float skylight_sh_7_bands_degrees_13_7_four __attribute__((vector_size(16)));
+typedef int skylight_sh_7_bands_degrees_13_7_order __attribute__((vector_size(16)));
+
+/* The same number in all places: v - 0 is v, which 0 + v need not be. */
+static inline skylight_sh_7_bands_degrees_13_7_lanes skylight_sh_7_bands_degrees_13_7_spread(float
+    v)
+{
+    const skylight_sh_7_bands_degrees_13_7_lanes zeros = {0};
+    return v - zeros;
+}
+
+static inline skylight_sh_7_bands_degrees_13_7_lanes skylight_sh_7_bands_degrees_13_7_load(const
+    float *from)
+{
+    skylight_sh_7_bands_degrees_13_7_lanes v;
+    memcpy(&v, from, sizeof v);
+    return v;
+}
+
+/* a * b + c. */
+static inline skylight_sh_7_bands_degrees_13_7_lanes
+    skylight_sh_7_bands_degrees_13_7_add(skylight_sh_7_bands_degrees_13_7_lanes a,
+    skylight_sh_7_bands_degrees_13_7_lanes b,
+                                                skylight_sh_7_bands_degrees_13_7_lanes c)
+{
+#if defined(__FMA__) && SKYLIGHT_SH_7_BANDS_DEGREES_13_7_LANES == 16
+    return _mm512_fmadd_ps(a, b, c);
+#elif defined(__FMA__) && SKYLIGHT_SH_7_BANDS_DEGREES_13_7_LANES == 8
+    return _mm256_fmadd_ps(a, b, c);
+#else
+    return a * b + c;
+#endif
+}
+
+static inline skylight_sh_7_bands_degrees_13_7_four
+    skylight_sh_7_bands_degrees_13_7_spread_four(float v)
+{
+    const skylight_sh_7_bands_degrees_13_7_four zeros = {0};
+    return v - zeros;
+}
+
+static inline skylight_sh_7_bands_degrees_13_7_four skylight_sh_7_bands_degrees_13_7_load_four(const
+    float *from)
+{
+    skylight_sh_7_bands_degrees_13_7_four v;
+    memcpy(&v, from, sizeof v);
+    return v;
+}
+
+static inline skylight_sh_7_bands_degrees_13_7_four
+    skylight_sh_7_bands_degrees_13_7_add_four(skylight_sh_7_bands_degrees_13_7_four a,
+    skylight_sh_7_bands_degrees_13_7_four b,
+                                                    skylight_sh_7_bands_degrees_13_7_four c)
+{
+#ifdef __FMA__
+    return _mm_fmadd_ps(a, b, c);
+#else
+    return a * b + c;
+#endif
+}
+
+/* Numbers side by side; where there are fewer than four, the last again. */
+static inline skylight_sh_7_bands_degrees_13_7_four skylight_sh_7_bands_degrees_13_7_quadruple(float
+    a, float b, float c, float d)
+{
+    const skylight_sh_7_bands_degrees_13_7_four v = {a, b, c, d};
+    return v;
+}
+
+static inline skylight_sh_7_bands_degrees_13_7_four skylight_sh_7_bands_degrees_13_7_triple(float a,
+    float b, float c)
+{
+    return skylight_sh_7_bands_degrees_13_7_quadruple(a, b, c, c);
+}
+
+static inline skylight_sh_7_bands_degrees_13_7_four skylight_sh_7_bands_degrees_13_7_pair(float a,
+    float b)
+{
+    return skylight_sh_7_bands_degrees_13_7_quadruple(a, b, b, b);
+}
+
+static inline void skylight_sh_7_bands_degrees_13_7_keep(float *to,
+    skylight_sh_7_bands_degrees_13_7_four v)
+{
+    memcpy(to, &v, sizeof v);
+}
+
+/* Four of the eight numbers of two vectors. */
+#ifdef __clang__
+#define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_PICK(v, w, a, b, c, d) __builtin_shufflevector(v, w, a, \
+    b, c, d)
+#else
+#define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_PICK(v, w, a, b, c, d) \
+    skylight_sh_7_bands_degrees_13_7_pick(v, w, a, b, c, d)
+static inline skylight_sh_7_bands_degrees_13_7_four
+    skylight_sh_7_bands_degrees_13_7_pick(skylight_sh_7_bands_degrees_13_7_four v,
+    skylight_sh_7_bands_degrees_13_7_four w, int a,
+                                                int b, int c, int d)
+{
+    const skylight_sh_7_bands_degrees_13_7_order order = {a, b, c, d};
+    return __builtin_shuffle(v, w, order);
+}
+#endif
+#endif
 
 typedef float skylight_sh_7_bands_degrees_13_7_real;
 
@@ -184,8 +316,11 @@ static const skylight_sh_7_bands_degrees_13_7_real
 /* Classes; a row's numbers, one a sum, and those of the first 1, 2, ..
    bands; room for a class's sums. */
 #define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_CLASSES 3
-#define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_OTHER_CLASSES(CLASS) CLASS(1) CLASS(2)
-#define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_FACTORS 9
+#define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_ALL_CLASSES(CLASS) CLASS(0) CLASS(1) CLASS(2)
+/* What multiplies the sum of a class for a channel; the channels side by
+   side, in fours. */
+#define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_FACTORS 12
+#define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_FACTOR(channel, class_) ((class_) * 4 + (channel))
 #define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_WIDTH 28
 #define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_WIDTHS { 1, 3, 6, 10, 15, 21, 28 }
 #define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_ROOM 32
@@ -239,6 +374,11 @@ static const skylight_sh_7_bands_degrees_13_7_real
     CLASS(2, NOTHING POLYNOMIAL(190, 14, 0) POLYNOMIAL(204, 13, 1) POLYNOMIAL(217, 13, 2) \
         POLYNOMIAL(230, 13, 3) POLYNOMIAL(243, 13, 4) POLYNOMIAL(256, 12, 5) POLYNOMIAL(268, 4, 6) \
         POLYNOMIAL(272, 6, 7))
+/* Of each class the longest polynomial's rows, and how many those of the
+   classes before have. */
+#define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_LONGEST { 14, 14, 14 }
+#define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_BEFORE { 0, 14, 28 }
+#define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SHARED 42
 /* Where sums go: of each degree, the first column, or -1 where it carries
    nothing. */
 #define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_COLUMNS { 0, 1, 3, 6, 10, 15, 21 }
@@ -259,6 +399,7 @@ static const skylight_sh_7_bands_degrees_13_7_real
 
 /* Of each class, a row a term (functions of the other axes, then of the
    first): its number for every sum. */
+SKYLIGHT_SH_7_BANDS_DEGREES_13_7_ALIGNED
 static const skylight_sh_7_bands_degrees_13_7_real skylight_sh_7_bands_degrees_13_7_rows[7788] = {
     2.71265984f, 2.21599793f, 1.31209958f, -0.313920856f, 1.19380105f, 0.829877019f, -1.21051323f,
     0.110490561f, 0.79858017f, 0.464756489f, -0.109233379f, -0.51068759f, 0.158928871f,
@@ -1506,82 +1647,139 @@ static const skylight_sh_7_bands_degrees_13_7_real skylight_sh_7_bands_degrees_1
 };
 
 /* What all weights share: the closed form preetham_classes. */
-#define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_EARLY 16
-
-static inline void skylight_sh_7_bands_degrees_13_7_begin_factors(const
-    skylight_sh_7_bands_degrees_13_7_real *x, skylight_sh_7_bands_degrees_13_7_real *early)
+#ifdef SKYLIGHT_SH_7_BANDS_DEGREES_13_7_LANES
+/* Equal formulas of different numbers side by side. */
+static inline void skylight_sh_7_bands_degrees_13_7_factors(const
+    skylight_sh_7_bands_degrees_13_7_real *x, skylight_sh_7_bands_degrees_13_7_real *out)
 {
     const float chi = (0.888888896f - x[1] * 0.0166666675f) * (1.57079637f - x[0]);
     const float square = chi * chi;
-    early[0] = 945.0f - square * (420.0f - 15.0f * square);
-    early[1] = (4045.30005f * x[1] - 4971.0f) * (chi * (945.0f - square * (105.0f - square))) +
-        (2419.19995f - 215.5f * x[1]) * early[0];
+    const float below = 945.0f - square * (420.0f - 15.0f * square);
+    const float zenith = (4045.30005f * x[1] - 4971.0f) * (chi * (945.0f - square * (105.0f -
+        square))) + (2419.19995f - 215.5f * x[1]) * below;
     const float part_1 = (-0.355399996f) * x[1] + 0.42750001f;
     const float up = 1.0f + part_1 * (0.25f + part_1 * 0.03125f);
     const float up2 = up * up;
-    early[2] = 1.0f + (0.1787f * x[1] + (-1.46300006f)) * (up2 * up2);
-    early[3] = (-0.0227000006f) * x[1] + 5.32509995f;
-    const float y = (0.1206f * x[1] + (-2.57710004f)) * x[0] * 0.25f;
-    const float halo = 1.0f + y * (0.99999845f + y * (0.499975085f + y * (0.166515172f + y *
-        (0.0412233174f + y * (0.00765432511f + y * 0.000849007862f)))));
-    early[4] = halo * halo;
+    const skylight_sh_7_bands_degrees_13_7_four y =
+        (skylight_sh_7_bands_degrees_13_7_triple(0.1206f, (-0.0640999973f),
+        (-0.0441000015f)) * x[1] + skylight_sh_7_bands_degrees_13_7_triple((-2.57710004f),
+        (-0.898899972f), (-1.65369999f))) * x[0] * 0.25f;
+    const skylight_sh_7_bands_degrees_13_7_four y2 = y * y;
+    const skylight_sh_7_bands_degrees_13_7_four halo = 1.0f + 0.99999845f * y + y2 * (0.499975085f +
+        0.166515172f * y + y2 * (0.0412233174f + 0.00765432511f * y + y2 * 0.000849007862f));
+    const skylight_sh_7_bands_degrees_13_7_four halo2 = halo * halo;
+    const skylight_sh_7_bands_degrees_13_7_four halo4 = halo2 * halo2;
     const float z = x[0] * x[0];
     const float cosine = 1.0f - z * (0.5f - z * 0.03125f);
     const float cosine2 = cosine * cosine;
-    early[5] = ((-0.0670000017f) * x[1] + 0.370299995f) * cosine2;
-    early[6] = ((((0.00274999999f * x[1] + (-0.0421399996f)) * x[1] + 0.153459996f) * x[0] +
-        (((-0.00609999988f) * x[1] + 0.0896999985f) * x[1] + (-0.267560005f))) * x[0] +
+    const skylight_sh_7_bands_degrees_13_7_four part_2 = 1.0f +
+        (skylight_sh_7_bands_degrees_13_7_triple((-0.0227000006f), (-0.00039999999f),
+        (-0.00789999962f)) * x[1] + skylight_sh_7_bands_degrees_13_7_triple(5.32509995f,
+        0.212500006f, 0.210199997f)) * halo4 +
+        (skylight_sh_7_bands_degrees_13_7_triple((-0.0670000017f), (-0.00329999998f),
+        (-0.0109000001f)) * x[1] + skylight_sh_7_bands_degrees_13_7_triple(0.370299995f,
+        0.0452000014f, 0.0529000014f)) * cosine2;
+    const float shape_y = (1.0f + (0.1787f * x[1] + (-1.46300006f)) * (up2 * up2)) * part_2[0];
+    const skylight_sh_7_bands_degrees_13_7_four y_zenith =
+        ((((skylight_sh_7_bands_degrees_13_7_pair(0.00274999999f,
+        0.00165999995f) * x[1] + skylight_sh_7_bands_degrees_13_7_pair((-0.0421399996f),
+        (-0.0290300008f))) * x[1] + skylight_sh_7_bands_degrees_13_7_pair(0.153459996f,
+        0.11693f)) * x[0] + ((skylight_sh_7_bands_degrees_13_7_pair((-0.00609999988f),
+        (-0.00374999992f)) * x[1] + skylight_sh_7_bands_degrees_13_7_pair(0.0896999985f,
+        0.0637700036f)) * x[1] + skylight_sh_7_bands_degrees_13_7_pair((-0.267560005f),
+        (-0.211960003f)))) * x[0] + ((skylight_sh_7_bands_degrees_13_7_pair(0.00316999992f,
+        0.00209000008f) * x[1] + skylight_sh_7_bands_degrees_13_7_pair((-0.0415299982f),
+        (-0.0320199989f))) * x[1] + skylight_sh_7_bands_degrees_13_7_pair(0.0666999966f,
+        0.0605200008f))) * x[0] + (skylight_sh_7_bands_degrees_13_7_pair(0.00516000018f,
+        0.0039400002f) * x[1] + skylight_sh_7_bands_degrees_13_7_pair(0.266880006f, 0.258859992f));
+    const float part_3 = y_zenith[0];
+    const float shape_x = (0.00249999994f * x[1] + 0.733200014f) * part_2[1];
+    const float one = zenith / (below * shape_y * part_3 * shape_x);
+    const float shape_z = (0.00992999971f * x[1] + 0.734399974f) * part_2[2];
+    const float of_x = one * y_zenith[1] * shape_z;
+    const skylight_sh_7_bands_degrees_13_7_four part_4 =
+        skylight_sh_7_bands_degrees_13_7_triple(3.73898554f, (-1.01082206f), (-1.00158179f)) * of_x;
+    skylight_sh_7_bands_degrees_13_7_keep(out + 4, part_4);
+    const float of_y = one * part_3 * shape_x;
+    const float of_s = one * shape_z * shape_x;
+    const skylight_sh_7_bands_degrees_13_7_four part_5 =
+        skylight_sh_7_bands_degrees_13_7_triple((-0.498531401f), 0.0415560007f, 1.05722523f) * of_s;
+    skylight_sh_7_bands_degrees_13_7_keep(out + 8, part_5);
+    const skylight_sh_7_bands_degrees_13_7_four part_6 = part_4 +
+        skylight_sh_7_bands_degrees_13_7_triple((-1.03860712f), 1.83445477f,
+        (-1.26125109f)) * of_y + part_5;
+    skylight_sh_7_bands_degrees_13_7_keep(out + 0, part_6);
+    (void)x;
+}
+
+#else
+static inline void skylight_sh_7_bands_degrees_13_7_factors(const
+    skylight_sh_7_bands_degrees_13_7_real *x, skylight_sh_7_bands_degrees_13_7_real *out)
+{
+    const float chi = (0.888888896f - x[1] * 0.0166666675f) * (1.57079637f - x[0]);
+    const float square = chi * chi;
+    const float below = 945.0f - square * (420.0f - 15.0f * square);
+    const float zenith = (4045.30005f * x[1] - 4971.0f) * (chi * (945.0f - square * (105.0f -
+        square))) + (2419.19995f - 215.5f * x[1]) * below;
+    const float part_1 = (-0.355399996f) * x[1] + 0.42750001f;
+    const float up = 1.0f + part_1 * (0.25f + part_1 * 0.03125f);
+    const float up2 = up * up;
+    const float y = (0.1206f * x[1] + (-2.57710004f)) * x[0] * 0.25f;
+    const float y2 = y * y;
+    const float halo = 1.0f + 0.99999845f * y + y2 * (0.499975085f + 0.166515172f * y + y2 *
+        (0.0412233174f + 0.00765432511f * y + y2 * 0.000849007862f));
+    const float halo2 = halo * halo;
+    const float halo4 = halo2 * halo2;
+    const float z = x[0] * x[0];
+    const float cosine = 1.0f - z * (0.5f - z * 0.03125f);
+    const float cosine2 = cosine * cosine;
+    const float shape_y = (1.0f + (0.1787f * x[1] + (-1.46300006f)) * (up2 * up2)) * (1.0f +
+        ((-0.0227000006f) * x[1] + 5.32509995f) * halo4 + ((-0.0670000017f) * x[1] + 0.370299995f) *
+        cosine2);
+    const float y_zenith = ((((0.00274999999f * x[1] + (-0.0421399996f)) * x[1] + 0.153459996f) *
+        x[0] + (((-0.00609999988f) * x[1] + 0.0896999985f) * x[1] + (-0.267560005f))) * x[0] +
         ((0.00316999992f * x[1] + (-0.0415299982f)) * x[1] + 0.0666999966f)) * x[0] +
         (0.00516000018f * x[1] + 0.266880006f);
-    early[7] = 0.00249999994f * x[1] + 0.733200014f;
-    early[8] = (-0.00039999999f) * x[1] + 0.212500006f;
     const float y_2 = ((-0.0640999973f) * x[1] + (-0.898899972f)) * x[0] * 0.25f;
-    const float halo_2 = 1.0f + y_2 * (0.99999845f + y_2 * (0.499975085f + y_2 * (0.166515172f + y_2
-        * (0.0412233174f + y_2 * (0.00765432511f + y_2 * 0.000849007862f)))));
-    early[9] = halo_2 * halo_2;
-    early[10] = ((-0.00329999998f) * x[1] + 0.0452000014f) * cosine2;
-    early[11] = ((((0.00165999995f * x[1] + (-0.0290300008f)) * x[1] + 0.11693f) * x[0] +
+    const float y2_2 = y_2 * y_2;
+    const float halo_2 = 1.0f + 0.99999845f * y_2 + y2_2 * (0.499975085f + 0.166515172f * y_2 + y2_2
+        * (0.0412233174f + 0.00765432511f * y_2 + y2_2 * 0.000849007862f));
+    const float halo2_2 = halo_2 * halo_2;
+    const float halo4_2 = halo2_2 * halo2_2;
+    const float shape_x = (0.00249999994f * x[1] + 0.733200014f) * (1.0f + ((-0.00039999999f) * x[1]
+        + 0.212500006f) * halo4_2 + ((-0.00329999998f) * x[1] + 0.0452000014f) * cosine2);
+    const float one = zenith / (below * shape_y * y_zenith * shape_x);
+    const float x_zenith = ((((0.00165999995f * x[1] + (-0.0290300008f)) * x[1] + 0.11693f) * x[0] +
         (((-0.00374999992f) * x[1] + 0.0637700036f) * x[1] + (-0.211960003f))) * x[0] +
         ((0.00209000008f * x[1] + (-0.0320199989f)) * x[1] + 0.0605200008f)) * x[0] + (0.0039400002f
         * x[1] + 0.258859992f);
-    early[12] = 0.00992999971f * x[1] + 0.734399974f;
-    early[13] = (-0.00789999962f) * x[1] + 0.210199997f;
     const float y_3 = ((-0.0441000015f) * x[1] + (-1.65369999f)) * x[0] * 0.25f;
-    const float halo_3 = 1.0f + y_3 * (0.99999845f + y_3 * (0.499975085f + y_3 * (0.166515172f + y_3
-        * (0.0412233174f + y_3 * (0.00765432511f + y_3 * 0.000849007862f)))));
-    early[14] = halo_3 * halo_3;
-    early[15] = ((-0.0109000001f) * x[1] + 0.0529000014f) * cosine2;
+    const float y2_3 = y_3 * y_3;
+    const float halo_3 = 1.0f + 0.99999845f * y_3 + y2_3 * (0.499975085f + 0.166515172f * y_3 + y2_3
+        * (0.0412233174f + 0.00765432511f * y_3 + y2_3 * 0.000849007862f));
+    const float halo2_3 = halo_3 * halo_3;
+    const float halo4_3 = halo2_3 * halo2_3;
+    const float shape_z = (0.00992999971f * x[1] + 0.734399974f) * (1.0f + ((-0.00789999962f) * x[1]
+        + 0.210199997f) * halo4_3 + ((-0.0109000001f) * x[1] + 0.0529000014f) * cosine2);
+    const float of_x = one * x_zenith * shape_z;
+    out[4] = 3.73898554f * of_x;
+    const float of_y = one * y_zenith * shape_x;
+    const float of_s = one * shape_z * shape_x;
+    out[8] = (-0.498531401f) * of_s;
+    out[0] = out[4] + (-1.03860712f) * of_y + out[8];
+    out[5] = (-1.01082206f) * of_x;
+    out[9] = 0.0415560007f * of_s;
+    out[1] = out[5] + 1.83445477f * of_y + out[9];
+    out[6] = (-1.00158179f) * of_x;
+    out[10] = 1.05722523f * of_s;
+    out[2] = out[6] + (-1.26125109f) * of_y + out[10];
+    out[3] = 0.0f;
+    out[7] = 0.0f;
+    out[11] = 0.0f;
     (void)x;
-    (void)early;
 }
 
-/* The rest of it. */
-static inline void skylight_sh_7_bands_degrees_13_7_end_factors(const
-    skylight_sh_7_bands_degrees_13_7_real *x, const skylight_sh_7_bands_degrees_13_7_real *early,
-    skylight_sh_7_bands_degrees_13_7_real *out)
-{
-    const float halo4 = early[4] * early[4];
-    const float shape_y = early[2] * (1.0f + early[3] * halo4 + early[5]);
-    const float halo4_2 = early[9] * early[9];
-    const float shape_x = early[7] * (1.0f + early[8] * halo4_2 + early[10]);
-    const float one = early[1] / (early[0] * shape_y * early[6] * shape_x);
-    const float halo4_3 = early[14] * early[14];
-    const float shape_z = early[12] * (1.0f + early[13] * halo4_3 + early[15]);
-    const float of_x = one * early[11] * shape_z;
-    out[1] = 3.73898554f * of_x;
-    const float of_y = one * early[6] * shape_x;
-    const float of_s = one * shape_z * shape_x;
-    out[2] = (-0.498531401f) * of_s;
-    out[0] = out[1] + (-1.03860712f) * of_y + out[2];
-    out[4] = (-1.01082206f) * of_x;
-    out[5] = 0.0415560007f * of_s;
-    out[3] = out[4] + 1.83445477f * of_y + out[5];
-    out[7] = (-1.00158179f) * of_x;
-    out[8] = 1.05722523f * of_s;
-    out[6] = out[7] + (-1.26125109f) * of_y + out[8];
-    (void)x;
-    (void)early;
-}
+#endif /* SKYLIGHT_SH_7_BANDS_DEGREES_13_7_LANES */
 
 /* The functions of sun_zenith (change of variable: even); 0 where there is
    none. */
@@ -1602,8 +1800,8 @@ static inline void skylight_sh_7_bands_degrees_13_7_first(const
     out[11] = out[1] * out[10];
     out[12] = out[1] * out[11];
     out[13] = out[1] * out[12];
-    out[14] = 0;
-    out[15] = 0;
+    out[14] = 0.0f;
+    out[15] = 0.0f;
     (void)x;
 }
 
@@ -1626,12 +1824,13 @@ static inline void skylight_sh_7_bands_degrees_13_7_others(const
 /* cos(m azimuth) and sin(m azimuth), m < bands, each times the m-th power
    of `radius`, by doubling. */
 static inline void skylight_sh_7_bands_degrees_13_7_waves(skylight_sh_7_bands_degrees_13_7_real
-    azimuth, skylight_sh_7_bands_degrees_13_7_real radius,
-    skylight_sh_7_bands_degrees_13_7_real *cosines, skylight_sh_7_bands_degrees_13_7_real *sines)
+    cosine, skylight_sh_7_bands_degrees_13_7_real sine,
+    skylight_sh_7_bands_degrees_13_7_real radius, skylight_sh_7_bands_degrees_13_7_real *cosines,
+    skylight_sh_7_bands_degrees_13_7_real *sines)
 {
     cosines[0] = 1.0f;
-    cosines[1] = radius * cosf(azimuth);
-    sines[1] = radius * sinf(azimuth);
+    cosines[1] = radius * cosine;
+    sines[1] = radius * sine;
     cosines[2] = cosines[1] * cosines[1] - sines[1] * sines[1];
     sines[2] = sines[1] * cosines[1] + cosines[1] * sines[1];
     cosines[3] = cosines[1] * cosines[2] - sines[1] * sines[2];
@@ -1656,6 +1855,228 @@ static inline skylight_sh_7_bands_degrees_13_7_real skylight_sh_7_bands_degrees_
         (part_1 * ((-0.166666597f) + part_1 * (0.00833306555f + part_1 * ((-0.000198095426f) +
         part_1 * 2.60563934e-06f))));
 }
+
+/* Cosine and sine of an angle of at most an eighth of a turn. */
+static inline void skylight_sh_7_bands_degrees_13_7_quarter(skylight_sh_7_bands_degrees_13_7_real
+    angle, skylight_sh_7_bands_degrees_13_7_real *out)
+{
+    const float part_1 = angle * angle;
+    out[0] = 1.0f - 0.5f * part_1 + part_1 * part_1 * (0.0416666456f + part_1 * ((-0.00138873665f) +
+        part_1 * 2.44383464e-05f));
+    out[1] = angle + angle * (part_1 * ((-0.166666552f) + part_1 * (0.0083321603f + part_1 *
+        (-0.00019515281f))));
+}
+
+#ifdef SKYLIGHT_SH_7_BANDS_DEGREES_13_7_LANES
+/* The same for suns side by side. */
+static inline void skylight_sh_7_bands_degrees_13_7_factors_suns(const
+    skylight_sh_7_bands_degrees_13_7_lanes *x, skylight_sh_7_bands_degrees_13_7_lanes *out)
+{
+    const skylight_sh_7_bands_degrees_13_7_lanes chi = (0.888888896f - x[1] * 0.0166666675f) *
+        (1.57079637f - x[0]);
+    const skylight_sh_7_bands_degrees_13_7_lanes square = chi * chi;
+    const skylight_sh_7_bands_degrees_13_7_lanes below = 945.0f - square * (420.0f - 15.0f *
+        square);
+    const skylight_sh_7_bands_degrees_13_7_lanes zenith = (4045.30005f * x[1] - 4971.0f) * (chi *
+        (945.0f - square * (105.0f - square))) + (2419.19995f - 215.5f * x[1]) * below;
+    const skylight_sh_7_bands_degrees_13_7_lanes part_1 = (-0.355399996f) * x[1] + 0.42750001f;
+    const skylight_sh_7_bands_degrees_13_7_lanes up = 1.0f + part_1 * (0.25f + part_1 * 0.03125f);
+    const skylight_sh_7_bands_degrees_13_7_lanes up2 = up * up;
+    const skylight_sh_7_bands_degrees_13_7_lanes y = (0.1206f * x[1] + (-2.57710004f)) * x[0] *
+        0.25f;
+    const skylight_sh_7_bands_degrees_13_7_lanes y2 = y * y;
+    const skylight_sh_7_bands_degrees_13_7_lanes halo = 1.0f + 0.99999845f * y + y2 * (0.499975085f
+        + 0.166515172f * y + y2 * (0.0412233174f + 0.00765432511f * y + y2 * 0.000849007862f));
+    const skylight_sh_7_bands_degrees_13_7_lanes halo2 = halo * halo;
+    const skylight_sh_7_bands_degrees_13_7_lanes halo4 = halo2 * halo2;
+    const skylight_sh_7_bands_degrees_13_7_lanes z = x[0] * x[0];
+    const skylight_sh_7_bands_degrees_13_7_lanes cosine = 1.0f - z * (0.5f - z * 0.03125f);
+    const skylight_sh_7_bands_degrees_13_7_lanes cosine2 = cosine * cosine;
+    const skylight_sh_7_bands_degrees_13_7_lanes shape_y = (1.0f + (0.1787f * x[1] + (-1.46300006f))
+        * (up2 * up2)) * (1.0f + ((-0.0227000006f) * x[1] + 5.32509995f) * halo4 + ((-0.0670000017f)
+        * x[1] + 0.370299995f) * cosine2);
+    const skylight_sh_7_bands_degrees_13_7_lanes y_zenith = ((((0.00274999999f * x[1] +
+        (-0.0421399996f)) * x[1] + 0.153459996f) * x[0] + (((-0.00609999988f) * x[1] +
+        0.0896999985f) * x[1] + (-0.267560005f))) * x[0] + ((0.00316999992f * x[1] +
+        (-0.0415299982f)) * x[1] + 0.0666999966f)) * x[0] + (0.00516000018f * x[1] + 0.266880006f);
+    const skylight_sh_7_bands_degrees_13_7_lanes y_2 = ((-0.0640999973f) * x[1] + (-0.898899972f)) *
+        x[0] * 0.25f;
+    const skylight_sh_7_bands_degrees_13_7_lanes y2_2 = y_2 * y_2;
+    const skylight_sh_7_bands_degrees_13_7_lanes halo_2 = 1.0f + 0.99999845f * y_2 + y2_2 *
+        (0.499975085f + 0.166515172f * y_2 + y2_2 * (0.0412233174f + 0.00765432511f * y_2 + y2_2 *
+        0.000849007862f));
+    const skylight_sh_7_bands_degrees_13_7_lanes halo2_2 = halo_2 * halo_2;
+    const skylight_sh_7_bands_degrees_13_7_lanes halo4_2 = halo2_2 * halo2_2;
+    const skylight_sh_7_bands_degrees_13_7_lanes shape_x = (0.00249999994f * x[1] + 0.733200014f) *
+        (1.0f + ((-0.00039999999f) * x[1] + 0.212500006f) * halo4_2 + ((-0.00329999998f) * x[1] +
+        0.0452000014f) * cosine2);
+    const skylight_sh_7_bands_degrees_13_7_lanes one = zenith / (below * shape_y * y_zenith *
+        shape_x);
+    const skylight_sh_7_bands_degrees_13_7_lanes x_zenith = ((((0.00165999995f * x[1] +
+        (-0.0290300008f)) * x[1] + 0.11693f) * x[0] + (((-0.00374999992f) * x[1] + 0.0637700036f) *
+        x[1] + (-0.211960003f))) * x[0] + ((0.00209000008f * x[1] + (-0.0320199989f)) * x[1] +
+        0.0605200008f)) * x[0] + (0.0039400002f * x[1] + 0.258859992f);
+    const skylight_sh_7_bands_degrees_13_7_lanes y_3 = ((-0.0441000015f) * x[1] + (-1.65369999f)) *
+        x[0] * 0.25f;
+    const skylight_sh_7_bands_degrees_13_7_lanes y2_3 = y_3 * y_3;
+    const skylight_sh_7_bands_degrees_13_7_lanes halo_3 = 1.0f + 0.99999845f * y_3 + y2_3 *
+        (0.499975085f + 0.166515172f * y_3 + y2_3 * (0.0412233174f + 0.00765432511f * y_3 + y2_3 *
+        0.000849007862f));
+    const skylight_sh_7_bands_degrees_13_7_lanes halo2_3 = halo_3 * halo_3;
+    const skylight_sh_7_bands_degrees_13_7_lanes halo4_3 = halo2_3 * halo2_3;
+    const skylight_sh_7_bands_degrees_13_7_lanes shape_z = (0.00992999971f * x[1] + 0.734399974f) *
+        (1.0f + ((-0.00789999962f) * x[1] + 0.210199997f) * halo4_3 + ((-0.0109000001f) * x[1] +
+        0.0529000014f) * cosine2);
+    const skylight_sh_7_bands_degrees_13_7_lanes of_x = one * x_zenith * shape_z;
+    const skylight_sh_7_bands_degrees_13_7_lanes part_2 = 3.73898554f * of_x;
+    out[4] = part_2;
+    const skylight_sh_7_bands_degrees_13_7_lanes of_y = one * y_zenith * shape_x;
+    const skylight_sh_7_bands_degrees_13_7_lanes of_s = one * shape_z * shape_x;
+    const skylight_sh_7_bands_degrees_13_7_lanes part_3 = (-0.498531401f) * of_s;
+    out[8] = part_3;
+    const skylight_sh_7_bands_degrees_13_7_lanes part_4 = part_2 + (-1.03860712f) * of_y + part_3;
+    out[0] = part_4;
+    const skylight_sh_7_bands_degrees_13_7_lanes part_5 = (-1.01082206f) * of_x;
+    out[5] = part_5;
+    const skylight_sh_7_bands_degrees_13_7_lanes part_6 = 0.0415560007f * of_s;
+    out[9] = part_6;
+    const skylight_sh_7_bands_degrees_13_7_lanes part_7 = part_5 + 1.83445477f * of_y + part_6;
+    out[1] = part_7;
+    const skylight_sh_7_bands_degrees_13_7_lanes part_8 = (-1.00158179f) * of_x;
+    out[6] = part_8;
+    const skylight_sh_7_bands_degrees_13_7_lanes part_9 = 1.05722523f * of_s;
+    out[10] = part_9;
+    const skylight_sh_7_bands_degrees_13_7_lanes part_10 = part_8 + (-1.26125109f) * of_y + part_9;
+    out[2] = part_10;
+    out[3] = skylight_sh_7_bands_degrees_13_7_spread(0.0f);
+    out[7] = skylight_sh_7_bands_degrees_13_7_spread(0.0f);
+    out[11] = skylight_sh_7_bands_degrees_13_7_spread(0.0f);
+    (void)x;
+}
+
+/* The functions of sun_zenith (change of variable: even); 0 where there is
+   none. */
+static inline void skylight_sh_7_bands_degrees_13_7_first_suns(const
+    skylight_sh_7_bands_degrees_13_7_lanes *x, skylight_sh_7_bands_degrees_13_7_lanes *out)
+{
+    out[0] = skylight_sh_7_bands_degrees_13_7_spread(1.0f);
+    const skylight_sh_7_bands_degrees_13_7_lanes part_1 = (-13.3479729f) * (x[0] * x[0] - 0.0f) /
+        ((-14.0f) - x[0] * x[0]) - 1.0f;
+    out[1] = part_1;
+    const skylight_sh_7_bands_degrees_13_7_lanes part_2 = part_1 * part_1;
+    out[2] = part_2;
+    const skylight_sh_7_bands_degrees_13_7_lanes part_3 = part_1 * part_2;
+    out[3] = part_3;
+    const skylight_sh_7_bands_degrees_13_7_lanes part_4 = part_1 * part_3;
+    out[4] = part_4;
+    const skylight_sh_7_bands_degrees_13_7_lanes part_5 = part_1 * part_4;
+    out[5] = part_5;
+    const skylight_sh_7_bands_degrees_13_7_lanes part_6 = part_1 * part_5;
+    out[6] = part_6;
+    const skylight_sh_7_bands_degrees_13_7_lanes part_7 = part_1 * part_6;
+    out[7] = part_7;
+    const skylight_sh_7_bands_degrees_13_7_lanes part_8 = part_1 * part_7;
+    out[8] = part_8;
+    const skylight_sh_7_bands_degrees_13_7_lanes part_9 = part_1 * part_8;
+    out[9] = part_9;
+    const skylight_sh_7_bands_degrees_13_7_lanes part_10 = part_1 * part_9;
+    out[10] = part_10;
+    const skylight_sh_7_bands_degrees_13_7_lanes part_11 = part_1 * part_10;
+    out[11] = part_11;
+    const skylight_sh_7_bands_degrees_13_7_lanes part_12 = part_1 * part_11;
+    out[12] = part_12;
+    const skylight_sh_7_bands_degrees_13_7_lanes part_13 = part_1 * part_12;
+    out[13] = part_13;
+    out[14] = skylight_sh_7_bands_degrees_13_7_spread(0.0f);
+    out[15] = skylight_sh_7_bands_degrees_13_7_spread(0.0f);
+    (void)x;
+}
+
+/* All products of the functions of turbidity (change of variable:
+   reciprocal). */
+static inline void skylight_sh_7_bands_degrees_13_7_others_suns(const
+    skylight_sh_7_bands_degrees_13_7_lanes *x, skylight_sh_7_bands_degrees_13_7_lanes *out)
+{
+    out[0] = skylight_sh_7_bands_degrees_13_7_spread(1.0f);
+    const skylight_sh_7_bands_degrees_13_7_lanes part_1 = (-4.85714293f) * (x[1] - 2.5f) / ((-2.5f)
+        - x[1]) - 1.0f;
+    out[1] = part_1;
+    const skylight_sh_7_bands_degrees_13_7_lanes part_2 = part_1 * part_1;
+    out[2] = part_2;
+    const skylight_sh_7_bands_degrees_13_7_lanes part_3 = part_1 * part_2;
+    out[3] = part_3;
+    const skylight_sh_7_bands_degrees_13_7_lanes part_4 = part_1 * part_3;
+    out[4] = part_4;
+    const skylight_sh_7_bands_degrees_13_7_lanes part_5 = part_1 * part_4;
+    out[5] = part_5;
+    const skylight_sh_7_bands_degrees_13_7_lanes part_6 = part_1 * part_5;
+    out[6] = part_6;
+    const skylight_sh_7_bands_degrees_13_7_lanes part_7 = part_1 * part_6;
+    out[7] = part_7;
+    (void)x;
+}
+
+/* cos(m azimuth) and sin(m azimuth), m < bands, each times the m-th power
+   of `radius`, by doubling. */
+static inline void
+    skylight_sh_7_bands_degrees_13_7_waves_suns(skylight_sh_7_bands_degrees_13_7_lanes cosine,
+    skylight_sh_7_bands_degrees_13_7_lanes sine, skylight_sh_7_bands_degrees_13_7_lanes radius,
+    skylight_sh_7_bands_degrees_13_7_lanes *cosines, skylight_sh_7_bands_degrees_13_7_lanes *sines)
+{
+    cosines[0] = skylight_sh_7_bands_degrees_13_7_spread(1.0f);
+    const skylight_sh_7_bands_degrees_13_7_lanes part_1 = radius * cosine;
+    cosines[1] = part_1;
+    const skylight_sh_7_bands_degrees_13_7_lanes part_2 = radius * sine;
+    sines[1] = part_2;
+    const skylight_sh_7_bands_degrees_13_7_lanes part_3 = part_1 * part_1 - part_2 * part_2;
+    cosines[2] = part_3;
+    const skylight_sh_7_bands_degrees_13_7_lanes part_4 = part_2 * part_1 + part_1 * part_2;
+    sines[2] = part_4;
+    const skylight_sh_7_bands_degrees_13_7_lanes part_5 = part_1 * part_3 - part_2 * part_4;
+    cosines[3] = part_5;
+    const skylight_sh_7_bands_degrees_13_7_lanes part_6 = part_3 * part_3 - part_4 * part_4;
+    cosines[4] = part_6;
+    const skylight_sh_7_bands_degrees_13_7_lanes part_7 = part_2 * part_3 + part_1 * part_4;
+    sines[3] = part_7;
+    const skylight_sh_7_bands_degrees_13_7_lanes part_8 = part_3 * part_5 - part_4 * part_7;
+    cosines[5] = part_8;
+    const skylight_sh_7_bands_degrees_13_7_lanes part_9 = part_5 * part_5 - part_7 * part_7;
+    cosines[6] = part_9;
+    sines[0] = skylight_sh_7_bands_degrees_13_7_spread(0.0f);
+    const skylight_sh_7_bands_degrees_13_7_lanes part_10 = part_4 * part_3 + part_3 * part_4;
+    sines[4] = part_10;
+    const skylight_sh_7_bands_degrees_13_7_lanes part_11 = part_4 * part_5 + part_3 * part_7;
+    sines[5] = part_11;
+    const skylight_sh_7_bands_degrees_13_7_lanes part_12 = part_7 * part_5 + part_5 * part_7;
+    sines[6] = part_12;
+}
+
+/* The sine of the sun's zenith angle, whose powers the sums of order m
+   lack. */
+static inline skylight_sh_7_bands_degrees_13_7_lanes
+    skylight_sh_7_bands_degrees_13_7_sine_suns(const skylight_sh_7_bands_degrees_13_7_lanes *x)
+{
+    const skylight_sh_7_bands_degrees_13_7_lanes part_1 = x[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SUN] *
+        x[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SUN];
+    return x[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SUN] + x[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SUN] *
+        (part_1 * ((-0.166666597f) + part_1 * (0.00833306555f + part_1 * ((-0.000198095426f) +
+        part_1 * 2.60563934e-06f))));
+}
+
+static inline void
+    skylight_sh_7_bands_degrees_13_7_quarter_suns(skylight_sh_7_bands_degrees_13_7_lanes angle,
+    skylight_sh_7_bands_degrees_13_7_lanes *out)
+{
+    const skylight_sh_7_bands_degrees_13_7_lanes part_1 = angle * angle;
+    const skylight_sh_7_bands_degrees_13_7_lanes part_2 = 1.0f - 0.5f * part_1 + part_1 * part_1 *
+        (0.0416666456f + part_1 * ((-0.00138873665f) + part_1 * 2.44383464e-05f));
+    out[0] = part_2;
+    const skylight_sh_7_bands_degrees_13_7_lanes part_3 = angle + angle * (part_1 * ((-0.166666552f)
+        + part_1 * (0.0083321603f + part_1 * (-0.00019515281f))));
+    out[1] = part_3;
+}
+
+#endif /* SKYLIGHT_SH_7_BANDS_DEGREES_13_7_LANES */
 
 /* The zonal window's factor for the degree `share` * bands (Habel et al.
    2008, eq. 5). */
@@ -1754,173 +2175,178 @@ static inline void skylight_sh_7_bands_degrees_13_7_factor_slopes(const double *
     const double part_14 = (-0.022700000000000001) * x[1] + 5.3250999999999999;
     const double part_15 = 0.1206 * x[1] + (-2.5771000000000002);
     const double y = part_15 * x[0] * 0.25;
-    const double part_16 = 0.0076543250999999996 + y * 0.00084900787100000003;
-    const double part_17 = 0.041223317699999998 + y * part_16;
-    const double part_18 = 0.16651516699999999 + y * part_17;
-    const double part_19 = 0.49997509099999998 + y * part_18;
-    const double part_20 = 0.99999845399999998 + y * part_19;
-    const double halo = 0.99999998400000001 + y * part_20;
+    const double y2 = y * y;
+    const double part_16 = 0.041223317699999998 + 0.0076543250999999996 * y + y2 *
+        0.00084900787100000003;
+    const double part_17 = 0.49997509099999998 + 0.16651516699999999 * y + y2 * part_16;
+    const double halo = 0.99999998400000001 + 0.99999845399999998 * y + y2 * part_17;
     const double halo2 = halo * halo;
     const double halo4 = halo2 * halo2;
-    const double part_21 = (-0.067000000000000004) * x[1] + 0.37030000000000002;
+    const double part_18 = (-0.067000000000000004) * x[1] + 0.37030000000000002;
     const double z = x[0] * x[0];
-    const double part_22 = 0.5 - z * 0.03125;
-    const double cosine = 1.0 - z * part_22;
+    const double part_19 = 0.5 - z * 0.03125;
+    const double cosine = 1.0 - z * part_19;
     const double cosine2 = cosine * cosine;
-    const double part_23 = 1.0 + part_14 * halo4 + part_21 * cosine2;
-    const double shape_y = part_13 * part_23;
-    const double part_24 = below * shape_y;
-    const double part_25 = 0.0027499999999999998 * x[1] + (-0.042139999999999997);
-    const double part_26 = part_25 * x[1] + 0.15346000000000001;
-    const double part_27 = (-0.0061000000000000004) * x[1] + 0.089700000000000002;
-    const double part_28 = part_26 * x[0] + (part_27 * x[1] + (-0.26756000000000002));
-    const double part_29 = 0.0031700000000000001 * x[1] + (-0.041529999999999997);
-    const double part_30 = part_28 * x[0] + (part_29 * x[1] + 0.066699999999999995);
-    const double y_zenith = part_30 * x[0] + (0.0051599999999999997 * x[1] + 0.26688000000000001);
-    const double part_31 = part_24 * y_zenith;
-    const double part_32 = 0.0025000000000000001 * x[1] + 0.73319999999999996;
-    const double part_33 = (-0.00040000000000000002) * x[1] + 0.21249999999999999;
-    const double part_34 = (-0.064100000000000004) * x[1] + (-0.89890000000000003);
-    const double y_2 = part_34 * x[0] * 0.25;
-    const double part_35 = 0.0076543250999999996 + y_2 * 0.00084900787100000003;
-    const double part_36 = 0.041223317699999998 + y_2 * part_35;
-    const double part_37 = 0.16651516699999999 + y_2 * part_36;
-    const double part_38 = 0.49997509099999998 + y_2 * part_37;
-    const double part_39 = 0.99999845399999998 + y_2 * part_38;
-    const double halo_2 = 0.99999998400000001 + y_2 * part_39;
+    const double part_20 = 1.0 + part_14 * halo4 + part_18 * cosine2;
+    const double shape_y = part_13 * part_20;
+    const double part_21 = below * shape_y;
+    const double part_22 = 0.0027499999999999998 * x[1] + (-0.042139999999999997);
+    const double part_23 = part_22 * x[1] + 0.15346000000000001;
+    const double part_24 = (-0.0061000000000000004) * x[1] + 0.089700000000000002;
+    const double part_25 = part_23 * x[0] + (part_24 * x[1] + (-0.26756000000000002));
+    const double part_26 = 0.0031700000000000001 * x[1] + (-0.041529999999999997);
+    const double part_27 = part_25 * x[0] + (part_26 * x[1] + 0.066699999999999995);
+    const double y_zenith = part_27 * x[0] + (0.0051599999999999997 * x[1] + 0.26688000000000001);
+    const double part_28 = part_21 * y_zenith;
+    const double part_29 = 0.0025000000000000001 * x[1] + 0.73319999999999996;
+    const double part_30 = (-0.00040000000000000002) * x[1] + 0.21249999999999999;
+    const double part_31 = (-0.064100000000000004) * x[1] + (-0.89890000000000003);
+    const double y_2 = part_31 * x[0] * 0.25;
+    const double y2_2 = y_2 * y_2;
+    const double part_32 = 0.041223317699999998 + 0.0076543250999999996 * y_2 + y2_2 *
+        0.00084900787100000003;
+    const double part_33 = 0.49997509099999998 + 0.16651516699999999 * y_2 + y2_2 * part_32;
+    const double halo_2 = 0.99999998400000001 + 0.99999845399999998 * y_2 + y2_2 * part_33;
     const double halo2_2 = halo_2 * halo_2;
     const double halo4_2 = halo2_2 * halo2_2;
-    const double part_40 = (-0.0033) * x[1] + 0.045199999999999997;
-    const double part_41 = 1.0 + part_33 * halo4_2 + part_40 * cosine2;
-    const double shape_x = part_32 * part_41;
-    const double part_42 = part_31 * shape_x;
-    const double one = zenith / part_42;
-    const double part_43 = 0.00166 * x[1] + (-0.02903);
-    const double part_44 = part_43 * x[1] + 0.11693000000000001;
-    const double part_45 = (-0.0037499999999999999) * x[1] + 0.063769999999999993;
-    const double part_46 = part_44 * x[0] + (part_45 * x[1] + (-0.21196000000000001));
-    const double part_47 = 0.0020899999999999998 * x[1] + (-0.03202);
-    const double part_48 = part_46 * x[0] + (part_47 * x[1] + 0.060519999999999997);
-    const double x_zenith = part_48 * x[0] + (0.0039399999999999999 * x[1] + 0.25885999999999998);
-    const double part_49 = one * x_zenith;
-    const double part_50 = 0.0099299999999999996 * x[1] + 0.73440000000000005;
-    const double part_51 = (-0.0079000000000000008) * x[1] + 0.2102;
-    const double part_52 = (-0.0441) * x[1] + (-1.6536999999999999);
-    const double y_3 = part_52 * x[0] * 0.25;
-    const double part_53 = 0.0076543250999999996 + y_3 * 0.00084900787100000003;
-    const double part_54 = 0.041223317699999998 + y_3 * part_53;
-    const double part_55 = 0.16651516699999999 + y_3 * part_54;
-    const double part_56 = 0.49997509099999998 + y_3 * part_55;
-    const double part_57 = 0.99999845399999998 + y_3 * part_56;
-    const double halo_3 = 0.99999998400000001 + y_3 * part_57;
+    const double part_34 = (-0.0033) * x[1] + 0.045199999999999997;
+    const double part_35 = 1.0 + part_30 * halo4_2 + part_34 * cosine2;
+    const double shape_x = part_29 * part_35;
+    const double part_36 = part_28 * shape_x;
+    const double one = zenith / part_36;
+    const double part_37 = 0.00166 * x[1] + (-0.02903);
+    const double part_38 = part_37 * x[1] + 0.11693000000000001;
+    const double part_39 = (-0.0037499999999999999) * x[1] + 0.063769999999999993;
+    const double part_40 = part_38 * x[0] + (part_39 * x[1] + (-0.21196000000000001));
+    const double part_41 = 0.0020899999999999998 * x[1] + (-0.03202);
+    const double part_42 = part_40 * x[0] + (part_41 * x[1] + 0.060519999999999997);
+    const double x_zenith = part_42 * x[0] + (0.0039399999999999999 * x[1] + 0.25885999999999998);
+    const double part_43 = one * x_zenith;
+    const double part_44 = 0.0099299999999999996 * x[1] + 0.73440000000000005;
+    const double part_45 = (-0.0079000000000000008) * x[1] + 0.2102;
+    const double part_46 = (-0.0441) * x[1] + (-1.6536999999999999);
+    const double y_3 = part_46 * x[0] * 0.25;
+    const double y2_3 = y_3 * y_3;
+    const double part_47 = 0.041223317699999998 + 0.0076543250999999996 * y_3 + y2_3 *
+        0.00084900787100000003;
+    const double part_48 = 0.49997509099999998 + 0.16651516699999999 * y_3 + y2_3 * part_47;
+    const double halo_3 = 0.99999998400000001 + 0.99999845399999998 * y_3 + y2_3 * part_48;
     const double halo2_3 = halo_3 * halo_3;
     const double halo4_3 = halo2_3 * halo2_3;
-    const double part_58 = (-0.0109) * x[1] + 0.052900000000000003;
-    const double part_59 = 1.0 + part_51 * halo4_3 + part_58 * cosine2;
-    const double shape_z = part_50 * part_59;
-    const double of_x = part_49 * shape_z;
-    out[1] = 3.7389855999999999 * of_x;
-    const double part_60 = one * y_zenith;
-    const double of_y = part_60 * shape_x;
-    const double part_61 = one * shape_z;
-    const double of_s = part_61 * shape_x;
-    out[2] = (-0.49853140000000001) * of_s;
-    out[0] = out[1] + (-1.0386070999999999) * of_y + out[2];
-    out[4] = (-1.0108219999999999) * of_x;
-    out[5] = 0.041556000000000003 * of_s;
-    out[3] = out[4] + 1.8344548000000001 * of_y + out[5];
-    out[7] = (-1.0015818000000001) * of_x;
-    out[8] = 1.0572252 * of_s;
-    out[6] = out[7] + (-1.2612511) * of_y + out[8];
-    const double part_62 = part_2 * -1.0;
-    const double part_63 = part_62 * chi + chi * part_62;
-    const double part_64 = -(part_63 * part_8 + square * -(15.0 * part_63));
-    const double part_65 = part_15 * 0.25;
-    const double part_66 = part_65 * part_20 + y * (part_65 * part_19 + y * (part_65 * part_18 + y *
-        (part_65 * part_17 + y * (part_65 * part_16 + y * (part_65 * 0.00084900787100000003)))));
-    const double part_67 = part_66 * halo + halo * part_66;
-    const double part_68 = x[0] + x[0];
-    const double part_69 = -(part_68 * part_22 + z * -(part_68 * 0.03125));
-    const double part_70 = part_69 * cosine + cosine * part_69;
-    const double part_71 = (part_26 * x[0] + part_28) * x[0] + part_30;
-    const double part_72 = part_34 * 0.25;
-    const double part_73 = part_72 * part_39 + y_2 * (part_72 * part_38 + y_2 * (part_72 * part_37 +
-        y_2 * (part_72 * part_36 + y_2 * (part_72 * part_35 + y_2 * (part_72 *
-        0.00084900787100000003)))));
-    const double part_74 = part_73 * halo_2 + halo_2 * part_73;
-    const double part_75 = part_32 * (part_33 * (part_74 * halo2_2 + halo2_2 * part_74) + part_40 *
-        part_70);
-    const double part_76 = (part_1 * (part_62 * part_5 + chi * -(part_63 * part_4 + square *
-        -part_63)) + part_7 * part_64) / part_42 - one * (((part_64 * shape_y + below * (part_13 *
-        (part_14 * (part_67 * halo2 + halo2 * part_67) + part_21 * part_70))) * y_zenith + part_24 *
-        part_71) * shape_x + part_31 * part_75) / part_42;
-    const double part_77 = part_52 * 0.25;
-    const double part_78 = part_77 * part_57 + y_3 * (part_77 * part_56 + y_3 * (part_77 * part_55 +
-        y_3 * (part_77 * part_54 + y_3 * (part_77 * part_53 + y_3 * (part_77 *
-        0.00084900787100000003)))));
-    const double part_79 = part_78 * halo_3 + halo_3 * part_78;
-    const double part_80 = part_50 * (part_51 * (part_79 * halo2_3 + halo2_3 * part_79) + part_58 *
-        part_70);
-    const double part_81 = (part_76 * x_zenith + one * ((part_44 * x[0] + part_46) * x[0] +
-        part_48)) * shape_z + part_49 * part_80;
-    out[10] = 3.7389855999999999 * part_81;
-    const double part_82 = (part_76 * y_zenith + one * part_71) * shape_x + part_60 * part_75;
-    const double part_83 = (part_76 * shape_z + one * part_80) * shape_x + part_61 * part_75;
-    out[11] = (-0.49853140000000001) * part_83;
-    out[9] = out[10] + (-1.0386070999999999) * part_82 + out[11];
-    out[13] = (-1.0108219999999999) * part_81;
-    out[14] = 0.041556000000000003 * part_83;
-    out[12] = out[13] + 1.8344548000000001 * part_82 + out[14];
-    out[16] = (-1.0015818000000001) * part_81;
-    out[17] = 1.0572252 * part_83;
-    out[15] = out[16] + (-1.2612511) * part_82 + out[17];
-    const double part_84 = -0.016666666666666666 * part_3;
-    const double part_85 = part_84 * chi + chi * part_84;
-    const double part_86 = -(part_85 * part_8 + square * -(15.0 * part_85));
-    const double part_87 = (-0.35539999999999999) * part_11 + part_10 * ((-0.35539999999999999) *
+    const double part_49 = (-0.0109) * x[1] + 0.052900000000000003;
+    const double part_50 = 1.0 + part_45 * halo4_3 + part_49 * cosine2;
+    const double shape_z = part_44 * part_50;
+    const double of_x = part_43 * shape_z;
+    out[4] = 3.7389855999999999 * of_x;
+    const double part_51 = one * y_zenith;
+    const double of_y = part_51 * shape_x;
+    const double part_52 = one * shape_z;
+    const double of_s = part_52 * shape_x;
+    out[8] = (-0.49853140000000001) * of_s;
+    out[0] = out[4] + (-1.0386070999999999) * of_y + out[8];
+    out[5] = (-1.0108219999999999) * of_x;
+    out[9] = 0.041556000000000003 * of_s;
+    out[1] = out[5] + 1.8344548000000001 * of_y + out[9];
+    out[6] = (-1.0015818000000001) * of_x;
+    out[10] = 1.0572252 * of_s;
+    out[2] = out[6] + (-1.2612511) * of_y + out[10];
+    const double part_53 = part_2 * -1.0;
+    const double part_54 = part_53 * chi + chi * part_53;
+    const double part_55 = -(part_54 * part_8 + square * -(15.0 * part_54));
+    const double part_56 = part_15 * 0.25;
+    const double part_57 = part_56 * y + y * part_56;
+    const double part_58 = 0.99999845399999998 * part_56 + (part_57 * part_17 + y2 *
+        (0.16651516699999999 * part_56 + (part_57 * part_16 + y2 * (0.0076543250999999996 * part_56
+        + part_57 * 0.00084900787100000003))));
+    const double part_59 = part_58 * halo + halo * part_58;
+    const double part_60 = x[0] + x[0];
+    const double part_61 = -(part_60 * part_19 + z * -(part_60 * 0.03125));
+    const double part_62 = part_61 * cosine + cosine * part_61;
+    const double part_63 = (part_23 * x[0] + part_25) * x[0] + part_27;
+    const double part_64 = part_31 * 0.25;
+    const double part_65 = part_64 * y_2 + y_2 * part_64;
+    const double part_66 = 0.99999845399999998 * part_64 + (part_65 * part_33 + y2_2 *
+        (0.16651516699999999 * part_64 + (part_65 * part_32 + y2_2 * (0.0076543250999999996 *
+        part_64 + part_65 * 0.00084900787100000003))));
+    const double part_67 = part_66 * halo_2 + halo_2 * part_66;
+    const double part_68 = part_29 * (part_30 * (part_67 * halo2_2 + halo2_2 * part_67) + part_34 *
+        part_62);
+    const double part_69 = (part_1 * (part_53 * part_5 + chi * -(part_54 * part_4 + square *
+        -part_54)) + part_7 * part_55) / part_36 - one * (((part_55 * shape_y + below * (part_13 *
+        (part_14 * (part_59 * halo2 + halo2 * part_59) + part_18 * part_62))) * y_zenith + part_21 *
+        part_63) * shape_x + part_28 * part_68) / part_36;
+    const double part_70 = part_46 * 0.25;
+    const double part_71 = part_70 * y_3 + y_3 * part_70;
+    const double part_72 = 0.99999845399999998 * part_70 + (part_71 * part_48 + y2_3 *
+        (0.16651516699999999 * part_70 + (part_71 * part_47 + y2_3 * (0.0076543250999999996 *
+        part_70 + part_71 * 0.00084900787100000003))));
+    const double part_73 = part_72 * halo_3 + halo_3 * part_72;
+    const double part_74 = part_44 * (part_45 * (part_73 * halo2_3 + halo2_3 * part_73) + part_49 *
+        part_62);
+    const double part_75 = (part_69 * x_zenith + one * ((part_38 * x[0] + part_40) * x[0] +
+        part_42)) * shape_z + part_43 * part_74;
+    out[16] = 3.7389855999999999 * part_75;
+    const double part_76 = (part_69 * y_zenith + one * part_63) * shape_x + part_51 * part_68;
+    const double part_77 = (part_69 * shape_z + one * part_74) * shape_x + part_52 * part_68;
+    out[20] = (-0.49853140000000001) * part_77;
+    out[12] = out[16] + (-1.0386070999999999) * part_76 + out[20];
+    out[17] = (-1.0108219999999999) * part_75;
+    out[21] = 0.041556000000000003 * part_77;
+    out[13] = out[17] + 1.8344548000000001 * part_76 + out[21];
+    out[18] = (-1.0015818000000001) * part_75;
+    out[22] = 1.0572252 * part_77;
+    out[14] = out[18] + (-1.2612511) * part_76 + out[22];
+    const double part_78 = -0.016666666666666666 * part_3;
+    const double part_79 = part_78 * chi + chi * part_78;
+    const double part_80 = -(part_79 * part_8 + square * -(15.0 * part_79));
+    const double part_81 = (-0.35539999999999999) * part_11 + part_10 * ((-0.35539999999999999) *
         0.03125);
-    const double part_88 = part_87 * up + up * part_87;
-    const double part_89 = 0.1206 * x[0] * 0.25;
-    const double part_90 = part_89 * part_20 + y * (part_89 * part_19 + y * (part_89 * part_18 + y *
-        (part_89 * part_17 + y * (part_89 * part_16 + y * (part_89 * 0.00084900787100000003)))));
-    const double part_91 = part_90 * halo + halo * part_90;
-    const double part_92 = (((0.0027499999999999998 * x[1] + part_25) * x[0] +
-        ((-0.0061000000000000004) * x[1] + part_27)) * x[0] + (0.0031700000000000001 * x[1] +
-        part_29)) * x[0] + 0.0051599999999999997;
-    const double part_93 = (-0.064100000000000004) * x[0] * 0.25;
-    const double part_94 = part_93 * part_39 + y_2 * (part_93 * part_38 + y_2 * (part_93 * part_37 +
-        y_2 * (part_93 * part_36 + y_2 * (part_93 * part_35 + y_2 * (part_93 *
-        0.00084900787100000003)))));
-    const double part_95 = part_94 * halo_2 + halo_2 * part_94;
-    const double part_96 = 0.0025000000000000001 * part_41 + part_32 * ((-0.00040000000000000002) *
-        halo4_2 + part_33 * (part_95 * halo2_2 + halo2_2 * part_95) + (-0.0033) * cosine2);
-    const double part_97 = (4045.3000000000002 * part_6 + part_1 * (part_84 * part_5 + chi *
-        -(part_85 * part_4 + square * -part_85)) + (-215.5 * below + part_7 * part_86)) / part_42 -
-        one * (((part_86 * shape_y + below * ((0.1787 * part_12 + part_9 * (part_88 * up2 + up2 *
-        part_88)) * part_23 + part_13 * ((-0.022700000000000001) * halo4 + part_14 * (part_91 *
-        halo2 + halo2 * part_91) + (-0.067000000000000004) * cosine2))) * y_zenith + part_24 *
-        part_92) * shape_x + part_31 * part_96) / part_42;
-    const double part_98 = (-0.0441) * x[0] * 0.25;
-    const double part_99 = part_98 * part_57 + y_3 * (part_98 * part_56 + y_3 * (part_98 * part_55 +
-        y_3 * (part_98 * part_54 + y_3 * (part_98 * part_53 + y_3 * (part_98 *
-        0.00084900787100000003)))));
-    const double part_100 = part_99 * halo_3 + halo_3 * part_99;
-    const double part_101 = 0.0099299999999999996 * part_59 + part_50 * ((-0.0079000000000000008) *
-        halo4_3 + part_51 * (part_100 * halo2_3 + halo2_3 * part_100) + (-0.0109) * cosine2);
-    const double part_102 = (part_97 * x_zenith + one * ((((0.00166 * x[1] + part_43) * x[0] +
-        ((-0.0037499999999999999) * x[1] + part_45)) * x[0] + (0.0020899999999999998 * x[1] +
-        part_47)) * x[0] + 0.0039399999999999999)) * shape_z + part_49 * part_101;
-    out[19] = 3.7389855999999999 * part_102;
-    const double part_103 = (part_97 * y_zenith + one * part_92) * shape_x + part_60 * part_96;
-    const double part_104 = (part_97 * shape_z + one * part_101) * shape_x + part_61 * part_96;
-    out[20] = (-0.49853140000000001) * part_104;
-    out[18] = out[19] + (-1.0386070999999999) * part_103 + out[20];
-    out[22] = (-1.0108219999999999) * part_102;
-    out[23] = 0.041556000000000003 * part_104;
-    out[21] = out[22] + 1.8344548000000001 * part_103 + out[23];
-    out[25] = (-1.0015818000000001) * part_102;
-    out[26] = 1.0572252 * part_104;
-    out[24] = out[25] + (-1.2612511) * part_103 + out[26];
+    const double part_82 = part_81 * up + up * part_81;
+    const double part_83 = 0.1206 * x[0] * 0.25;
+    const double part_84 = part_83 * y + y * part_83;
+    const double part_85 = 0.99999845399999998 * part_83 + (part_84 * part_17 + y2 *
+        (0.16651516699999999 * part_83 + (part_84 * part_16 + y2 * (0.0076543250999999996 * part_83
+        + part_84 * 0.00084900787100000003))));
+    const double part_86 = part_85 * halo + halo * part_85;
+    const double part_87 = (((0.0027499999999999998 * x[1] + part_22) * x[0] +
+        ((-0.0061000000000000004) * x[1] + part_24)) * x[0] + (0.0031700000000000001 * x[1] +
+        part_26)) * x[0] + 0.0051599999999999997;
+    const double part_88 = (-0.064100000000000004) * x[0] * 0.25;
+    const double part_89 = part_88 * y_2 + y_2 * part_88;
+    const double part_90 = 0.99999845399999998 * part_88 + (part_89 * part_33 + y2_2 *
+        (0.16651516699999999 * part_88 + (part_89 * part_32 + y2_2 * (0.0076543250999999996 *
+        part_88 + part_89 * 0.00084900787100000003))));
+    const double part_91 = part_90 * halo_2 + halo_2 * part_90;
+    const double part_92 = 0.0025000000000000001 * part_35 + part_29 * ((-0.00040000000000000002) *
+        halo4_2 + part_30 * (part_91 * halo2_2 + halo2_2 * part_91) + (-0.0033) * cosine2);
+    const double part_93 = (4045.3000000000002 * part_6 + part_1 * (part_78 * part_5 + chi *
+        -(part_79 * part_4 + square * -part_79)) + (-215.5 * below + part_7 * part_80)) / part_36 -
+        one * (((part_80 * shape_y + below * ((0.1787 * part_12 + part_9 * (part_82 * up2 + up2 *
+        part_82)) * part_20 + part_13 * ((-0.022700000000000001) * halo4 + part_14 * (part_86 *
+        halo2 + halo2 * part_86) + (-0.067000000000000004) * cosine2))) * y_zenith + part_21 *
+        part_87) * shape_x + part_28 * part_92) / part_36;
+    const double part_94 = (-0.0441) * x[0] * 0.25;
+    const double part_95 = part_94 * y_3 + y_3 * part_94;
+    const double part_96 = 0.99999845399999998 * part_94 + (part_95 * part_48 + y2_3 *
+        (0.16651516699999999 * part_94 + (part_95 * part_47 + y2_3 * (0.0076543250999999996 *
+        part_94 + part_95 * 0.00084900787100000003))));
+    const double part_97 = part_96 * halo_3 + halo_3 * part_96;
+    const double part_98 = 0.0099299999999999996 * part_50 + part_44 * ((-0.0079000000000000008) *
+        halo4_3 + part_45 * (part_97 * halo2_3 + halo2_3 * part_97) + (-0.0109) * cosine2);
+    const double part_99 = (part_93 * x_zenith + one * ((((0.00166 * x[1] + part_37) * x[0] +
+        ((-0.0037499999999999999) * x[1] + part_39)) * x[0] + (0.0020899999999999998 * x[1] +
+        part_41)) * x[0] + 0.0039399999999999999)) * shape_z + part_43 * part_98;
+    out[28] = 3.7389855999999999 * part_99;
+    const double part_100 = (part_93 * y_zenith + one * part_87) * shape_x + part_51 * part_92;
+    const double part_101 = (part_93 * shape_z + one * part_98) * shape_x + part_52 * part_92;
+    out[32] = (-0.49853140000000001) * part_101;
+    out[24] = out[28] + (-1.0386070999999999) * part_100 + out[32];
+    out[29] = (-1.0108219999999999) * part_99;
+    out[33] = 0.041556000000000003 * part_101;
+    out[25] = out[29] + 1.8344548000000001 * part_100 + out[33];
+    out[30] = (-1.0015818000000001) * part_99;
+    out[34] = 1.0572252 * part_101;
+    out[26] = out[30] + (-1.2612511) * part_100 + out[34];
     (void)x;
 }
 
@@ -1964,7 +2390,8 @@ static inline int skylight_sh_7_bands_degrees_13_7_inputs(const float
         skylight_sh_7_bands_degrees_13_7_kind(inputs[axis]);
     if (strange & 2) return 2;
     for (axis = 0; axis < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_AXES; ++axis) {
-        const float v = skylight_sh_7_bands_degrees_13_7_finite(inputs[axis]);
+        const float v = strange ? skylight_sh_7_bands_degrees_13_7_finite(inputs[axis]) :
+            inputs[axis];
         const skylight_sh_7_bands_degrees_13_7_real low =
             skylight_sh_7_bands_degrees_13_7_range[axis][0],
             high = skylight_sh_7_bands_degrees_13_7_range[axis][1];
@@ -1978,115 +2405,34 @@ static inline int skylight_sh_7_bands_degrees_13_7_inputs(const float
     return status;
 }
 
-/* Numbers side by side where the compiler has vector types: as many as the processor's registers
-   hold, and four. */
-#if defined(__GNUC__) && (defined(__SSE__) || defined(__ARM_NEON) || defined(__ALTIVEC__) || \
-                          defined(__wasm_simd128__) || defined(__loongarch_sx))
-#if defined(__AVX512F__)
-#define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_LANES 16
-#elif defined(__AVX__)
-#define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_LANES 8
-#else
-#define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_LANES 4
-#endif
-#endif
-/* What is worth its place in every caller. */
-#ifdef __GNUC__
-#define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_INLINE static inline __attribute__((always_inline))
-#else
-#define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_INLINE static inline
-#endif
-#ifdef SKYLIGHT_SH_7_BANDS_DEGREES_13_7_LANES
-#ifdef __FMA__
-/* One operation for a product and a sum, which standard C may not choose by itself. */
-#include <immintrin.h>
-#endif
-typedef float skylight_sh_7_bands_degrees_13_7_lanes __attribute__((vector_size(4 *
-    SKYLIGHT_SH_7_BANDS_DEGREES_13_7_LANES)));
-typedef float skylight_sh_7_bands_degrees_13_7_four __attribute__((vector_size(16)));
-typedef int skylight_sh_7_bands_degrees_13_7_order __attribute__((vector_size(16)));
-
-/* The same number in all places: v - 0 is v, which 0 + v need not be. */
-static inline skylight_sh_7_bands_degrees_13_7_lanes skylight_sh_7_bands_degrees_13_7_spread(float
-    v)
+/* The cosine and sine of an angle. */
+static inline void skylight_sh_7_bands_degrees_13_7_circle(skylight_sh_7_bands_degrees_13_7_real
+    angle, skylight_sh_7_bands_degrees_13_7_real *cosine,
+                                      skylight_sh_7_bands_degrees_13_7_real *sine)
 {
-    const skylight_sh_7_bands_degrees_13_7_lanes zeros = {0};
-    return v - zeros;
+    /* By the nearest quarter turn and the rest of it: without a branch, which a processor would
+     * have
+       to guess. The rest in double, since the two nearly cancel. */
+    float out[2];
+    uint32_t bits[2], quarter, swapped;
+    int quarters;
+    if (!(angle > -1e5f && angle < 1e5f)) {
+        *cosine = cosf(angle);
+        *sine = sinf(angle);
+        return;
+    }
+    quarters = (int)(angle * 0.636619772f + copysignf(0.5f, angle));
+    skylight_sh_7_bands_degrees_13_7_quarter((float)((double)angle - (double)quarters *
+        1.5707963267948966), out);
+    memcpy(bits, out, sizeof bits);
+    quarter = (uint32_t)quarters;
+    /* Odd quarters swap the two; each changes its sign in two of four. */
+    swapped = (bits[0] ^ bits[1]) & (0u - (quarter & 1u));
+    bits[0] ^= swapped ^ (((quarter + 1u) & 2u) << 30);
+    bits[1] ^= swapped ^ ((quarter & 2u) << 30);
+    memcpy(cosine, &bits[0], sizeof bits[0]);
+    memcpy(sine, &bits[1], sizeof bits[1]);
 }
-
-static inline skylight_sh_7_bands_degrees_13_7_lanes skylight_sh_7_bands_degrees_13_7_load(const
-    float *from)
-{
-    skylight_sh_7_bands_degrees_13_7_lanes v;
-    memcpy(&v, from, sizeof v);
-    return v;
-}
-
-/* a * b + c. */
-static inline skylight_sh_7_bands_degrees_13_7_lanes
-    skylight_sh_7_bands_degrees_13_7_add(skylight_sh_7_bands_degrees_13_7_lanes a,
-    skylight_sh_7_bands_degrees_13_7_lanes b,
-                                                skylight_sh_7_bands_degrees_13_7_lanes c)
-{
-#if defined(__FMA__) && SKYLIGHT_SH_7_BANDS_DEGREES_13_7_LANES == 16
-    return _mm512_fmadd_ps(a, b, c);
-#elif defined(__FMA__) && SKYLIGHT_SH_7_BANDS_DEGREES_13_7_LANES == 8
-    return _mm256_fmadd_ps(a, b, c);
-#else
-    return a * b + c;
-#endif
-}
-
-static inline skylight_sh_7_bands_degrees_13_7_four
-    skylight_sh_7_bands_degrees_13_7_spread_four(float v)
-{
-    const skylight_sh_7_bands_degrees_13_7_four zeros = {0};
-    return v - zeros;
-}
-
-static inline skylight_sh_7_bands_degrees_13_7_four skylight_sh_7_bands_degrees_13_7_load_four(const
-    float *from)
-{
-    skylight_sh_7_bands_degrees_13_7_four v;
-    memcpy(&v, from, sizeof v);
-    return v;
-}
-
-static inline skylight_sh_7_bands_degrees_13_7_four
-    skylight_sh_7_bands_degrees_13_7_add_four(skylight_sh_7_bands_degrees_13_7_four a,
-    skylight_sh_7_bands_degrees_13_7_four b,
-                                                    skylight_sh_7_bands_degrees_13_7_four c)
-{
-#ifdef __FMA__
-    return _mm_fmadd_ps(a, b, c);
-#else
-    return a * b + c;
-#endif
-}
-
-static inline void skylight_sh_7_bands_degrees_13_7_keep(float *to,
-    skylight_sh_7_bands_degrees_13_7_four v)
-{
-    memcpy(to, &v, sizeof v);
-}
-
-/* Four of the eight numbers of two vectors. */
-#ifdef __clang__
-#define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_PICK(v, w, a, b, c, d) __builtin_shufflevector(v, w, a, \
-    b, c, d)
-#else
-#define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_PICK(v, w, a, b, c, d) \
-    skylight_sh_7_bands_degrees_13_7_pick(v, w, a, b, c, d)
-static inline skylight_sh_7_bands_degrees_13_7_four
-    skylight_sh_7_bands_degrees_13_7_pick(skylight_sh_7_bands_degrees_13_7_four v,
-    skylight_sh_7_bands_degrees_13_7_four w, int a,
-                                                int b, int c, int d)
-{
-    const skylight_sh_7_bands_degrees_13_7_order order = {a, b, c, d};
-    return __builtin_shuffle(v, w, order);
-}
-#endif
-#endif
 
 /* One channel's sums, from those of its classes. */
 static inline void skylight_sh_7_bands_degrees_13_7_mix(skylight_sh_7_bands_degrees_13_7_real
@@ -2098,11 +2444,10 @@ static inline void skylight_sh_7_bands_degrees_13_7_mix(skylight_sh_7_bands_degr
     int i;
     int k;
     for (i = 0; i < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_WIDTH; ++i)
-        mixed[i] = factors[channel * SKYLIGHT_SH_7_BANDS_DEGREES_13_7_CLASSES] * sums[0][i];
+        mixed[i] = factors[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_FACTOR(channel, 0)] * sums[0][i];
     for (k = 1; k < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_CLASSES; ++k)
         for (i = 0; i < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_WIDTH; ++i)
-            mixed[i] += factors[channel * SKYLIGHT_SH_7_BANDS_DEGREES_13_7_CLASSES + k] *
-                sums[k][i];
+            mixed[i] += factors[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_FACTOR(channel, k)] * sums[k][i];
 }
 
 /* Orders m >= 0 alone are stored: those of a light that is even in y at azimuth 0. */
@@ -2147,12 +2492,12 @@ static inline void skylight_sh_7_bands_degrees_13_7_store(
         skylight_sh_7_bands_degrees_13_7_four v[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_FOURS];
         for (q = 0; q < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_FOURS; ++q) {
             int k;
-            v[q] = factors[channel * SKYLIGHT_SH_7_BANDS_DEGREES_13_7_CLASSES] *
-                skylight_sh_7_bands_degrees_13_7_load_four(sums[0] + 4 * q);
+            v[q] = factors[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_FACTOR(channel,
+                0)] * skylight_sh_7_bands_degrees_13_7_load_four(sums[0] + 4 * q);
             for (k = 1; k < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_CLASSES; ++k)
                 v[q] = skylight_sh_7_bands_degrees_13_7_add_four(
-                    skylight_sh_7_bands_degrees_13_7_spread_four(factors[channel *
-                        SKYLIGHT_SH_7_BANDS_DEGREES_13_7_CLASSES + k]),
+                    skylight_sh_7_bands_degrees_13_7_spread_four(factors
+                        [SKYLIGHT_SH_7_BANDS_DEGREES_13_7_FACTOR(channel, k)]),
                     skylight_sh_7_bands_degrees_13_7_load_four(sums[k] + 4 * q), v[q]);
         }
 #define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_BAND(l, stores) \
@@ -2208,8 +2553,19 @@ static inline void skylight_sh_7_bands_degrees_13_7_store(
 #define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_BLOCK \
     ((SKYLIGHT_SH_7_BANDS_DEGREES_13_7_VECTORS(SKYLIGHT_SH_7_BANDS_DEGREES_13_7_WIDTH) + \
         SKYLIGHT_SH_7_BANDS_DEGREES_13_7_BLOCKS - 1) / SKYLIGHT_SH_7_BANDS_DEGREES_13_7_BLOCKS)
+/* What is done for each vector of a block: written out, since a compiler that keeps loops keeps
+ * their
+   vectors in memory. */
+#define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_EACH(DO) DO(0) DO(1) DO(2) DO(3) DO(4) DO(5) DO(6) DO(7)
 #endif
 #ifdef SKYLIGHT_SH_7_BANDS_DEGREES_13_7_LANES
+/* All columns at once, as written: gcc would sum one after the other, each step waiting for the one
+   before. */
+#if defined(__GNUC__) && !defined(__clang__) && defined(__SSE__)
+#define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_IN_ORDER(v) __asm__("" : "+x"(v));
+#else
+#define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_IN_ORDER(v)
+#endif
 
 /* One class's sums, for SKYLIGHT_SH_7_BANDS_DEGREES_13_7_BLOCK vectors of each row: over the
  * products of the other axes'
@@ -2222,16 +2578,19 @@ SKYLIGHT_SH_7_BANDS_DEGREES_13_7_INLINE void skylight_sh_7_bands_degrees_13_7_su
                                               skylight_sh_7_bands_degrees_13_7_real *sums)
 {
     const skylight_sh_7_bands_degrees_13_7_lanes power = skylight_sh_7_bands_degrees_13_7_spread(u);
-    int i, k;
+    int i;
 #define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_CLASS(which, polynomials) \
     if (class_ == (which)) { \
         skylight_sh_7_bands_degrees_13_7_lanes total[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_BLOCK]; \
-        polynomials \
-        for (k = 0; k < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_BLOCK; ++k) \
-            memcpy(sums + k * SKYLIGHT_SH_7_BANDS_DEGREES_13_7_LANES, &total[k], sizeof total[k]); \
+        polynomials SKYLIGHT_SH_7_BANDS_DEGREES_13_7_EACH(SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SUM) \
     }
+#define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SUM(k) \
+    if ((k) < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_BLOCK) memcpy(sums + (k) * \
+        SKYLIGHT_SH_7_BANDS_DEGREES_13_7_LANES, &total[k], sizeof total[k]);
 #define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_NOTHING \
-    for (k = 0; k < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_BLOCK; ++k) total[k] = \
+    SKYLIGHT_SH_7_BANDS_DEGREES_13_7_EACH(SKYLIGHT_SH_7_BANDS_DEGREES_13_7_ZERO)
+#define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_ZERO(k) \
+    if ((k) < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_BLOCK) total[k] = \
         skylight_sh_7_bands_degrees_13_7_spread(0);
 #define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_POLYNOMIAL(start, count, other) \
     { \
@@ -2240,26 +2599,36 @@ SKYLIGHT_SH_7_BANDS_DEGREES_13_7_INLINE void skylight_sh_7_bands_degrees_13_7_su
         const skylight_sh_7_bands_degrees_13_7_lanes factor = \
             skylight_sh_7_bands_degrees_13_7_spread(others[other]); \
         skylight_sh_7_bands_degrees_13_7_lanes sum[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_BLOCK]; \
-        for (k = 0; k < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_BLOCK; ++k) \
-            sum[k] = skylight_sh_7_bands_degrees_13_7_load(term + k * \
-                SKYLIGHT_SH_7_BANDS_DEGREES_13_7_LANES); \
+        SKYLIGHT_SH_7_BANDS_DEGREES_13_7_EACH(SKYLIGHT_SH_7_BANDS_DEGREES_13_7_LAST) \
         for (i = 1; i < (count); ++i) { \
             term -= SKYLIGHT_SH_7_BANDS_DEGREES_13_7_WIDTH; \
-            for (k = 0; k < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_BLOCK; ++k) \
-                sum[k] = skylight_sh_7_bands_degrees_13_7_add(sum[k], power, \
-                                         skylight_sh_7_bands_degrees_13_7_load(term + k * \
-                                             SKYLIGHT_SH_7_BANDS_DEGREES_13_7_LANES)); \
+            SKYLIGHT_SH_7_BANDS_DEGREES_13_7_EACH(SKYLIGHT_SH_7_BANDS_DEGREES_13_7_STEP_DOWN) \
         } \
-        for (k = 0; k < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_BLOCK; ++k) \
-            SKYLIGHT_SH_7_BANDS_DEGREES_13_7_TOTAL(k) \
+        SKYLIGHT_SH_7_BANDS_DEGREES_13_7_EACH(SKYLIGHT_SH_7_BANDS_DEGREES_13_7_TOTAL) \
     }
-#define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_TOTAL(k) total[k] = \
-    skylight_sh_7_bands_degrees_13_7_add(sum[k], factor, total[k]);
+#define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_LAST(k) \
+    if ((k) < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_BLOCK) sum[k] = \
+        skylight_sh_7_bands_degrees_13_7_load(term + (k) * SKYLIGHT_SH_7_BANDS_DEGREES_13_7_LANES);
+#define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_STEP_DOWN(k) \
+    if ((k) < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_BLOCK) { \
+        skylight_sh_7_bands_degrees_13_7_lanes v = skylight_sh_7_bands_degrees_13_7_load(term + \
+            (k) * SKYLIGHT_SH_7_BANDS_DEGREES_13_7_LANES); \
+        v = skylight_sh_7_bands_degrees_13_7_add(sum[k], power, v); \
+        SKYLIGHT_SH_7_BANDS_DEGREES_13_7_IN_ORDER(v) \
+        sum[k] = v; \
+    }
+#define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_TOTAL(k) \
+    if ((k) < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_BLOCK) total[k] = \
+        skylight_sh_7_bands_degrees_13_7_add(sum[k], factor, total[k]);
     SKYLIGHT_SH_7_BANDS_DEGREES_13_7_POLYNOMIALS(SKYLIGHT_SH_7_BANDS_DEGREES_13_7_CLASS,
         SKYLIGHT_SH_7_BANDS_DEGREES_13_7_NOTHING, SKYLIGHT_SH_7_BANDS_DEGREES_13_7_POLYNOMIAL)
 #undef SKYLIGHT_SH_7_BANDS_DEGREES_13_7_CLASS
 #undef SKYLIGHT_SH_7_BANDS_DEGREES_13_7_NOTHING
 #undef SKYLIGHT_SH_7_BANDS_DEGREES_13_7_POLYNOMIAL
+#undef SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SUM
+#undef SKYLIGHT_SH_7_BANDS_DEGREES_13_7_ZERO
+#undef SKYLIGHT_SH_7_BANDS_DEGREES_13_7_LAST
+#undef SKYLIGHT_SH_7_BANDS_DEGREES_13_7_STEP_DOWN
 #undef SKYLIGHT_SH_7_BANDS_DEGREES_13_7_TOTAL
 }
 
@@ -2410,11 +2779,9 @@ static inline int skylight_sh_7_bands_degrees_13_7_evaluate(const
         sines[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_BANDS];
     skylight_sh_7_bands_degrees_13_7_real
         sums[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_CLASSES][SKYLIGHT_SH_7_BANDS_DEGREES_13_7_ROOM];
-    skylight_sh_7_bands_degrees_13_7_real factors[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_CHANNELS *
-        SKYLIGHT_SH_7_BANDS_DEGREES_13_7_CLASSES];
+    skylight_sh_7_bands_degrees_13_7_real factors[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_FACTORS];
     skylight_sh_7_bands_degrees_13_7_real light = SKYLIGHT_SH_7_BANDS_DEGREES_13_7_EXPOSURE,
-        radius = 1;
-    skylight_sh_7_bands_degrees_13_7_real early[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_EARLY];
+        radius = 1, cosine, sine;
     int i, all, status = skylight_sh_7_bands_degrees_13_7_inputs(inputs, azimuth, x);
     if (status == 2) {
         memset(weights, 0, sizeof(float) * SKYLIGHT_SH_7_BANDS_DEGREES_13_7_CHANNELS *
@@ -2425,23 +2792,19 @@ static inline int skylight_sh_7_bands_degrees_13_7_evaluate(const
         bands = bands < 1 ? 1 : SKYLIGHT_SH_7_BANDS_DEGREES_13_7_BANDS;
         status = 1;
     }
-    /* First what the library computes: calls keep no registers. */
+    skylight_sh_7_bands_degrees_13_7_circle((skylight_sh_7_bands_degrees_13_7_real)azimuth, &cosine,
+        &sine);
     radius = skylight_sh_7_bands_degrees_13_7_sine(x);
-    skylight_sh_7_bands_degrees_13_7_waves((skylight_sh_7_bands_degrees_13_7_real)azimuth, radius,
-        cosines, sines);
+    skylight_sh_7_bands_degrees_13_7_waves(cosine, sine, radius, cosines, sines);
     skylight_sh_7_bands_degrees_13_7_first(x, first);
     skylight_sh_7_bands_degrees_13_7_others(x, others);
-    skylight_sh_7_bands_degrees_13_7_begin_factors(x, early);
+    skylight_sh_7_bands_degrees_13_7_factors(x, factors);
+    for (i = 0; i < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_FACTORS; ++i) factors[i] *= light;
     all = bands;
-        skylight_sh_7_bands_degrees_13_7_sum_class(rows, 0, first, others, all, sums[0]);
-    /* Between sums: what has begun above waits for itself, and there is more to do meanwhile. */
-    skylight_sh_7_bands_degrees_13_7_end_factors(x, early, factors);
-    for (i = 0; i < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_CHANNELS *
-        SKYLIGHT_SH_7_BANDS_DEGREES_13_7_CLASSES; ++i) factors[i] *= light;
     {
 #define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_CLASS(k) skylight_sh_7_bands_degrees_13_7_sum_class(rows, \
     k, first, others, all, sums[k]);
-        SKYLIGHT_SH_7_BANDS_DEGREES_13_7_OTHER_CLASSES(SKYLIGHT_SH_7_BANDS_DEGREES_13_7_CLASS)
+        SKYLIGHT_SH_7_BANDS_DEGREES_13_7_ALL_CLASSES(SKYLIGHT_SH_7_BANDS_DEGREES_13_7_CLASS)
 #undef SKYLIGHT_SH_7_BANDS_DEGREES_13_7_CLASS
     }
     skylight_sh_7_bands_degrees_13_7_store(sums, factors, cosines, sines, all, weights);
@@ -2473,128 +2836,365 @@ static inline int skylight_sh_7_bands_degrees_13_7_evaluate_one(const
         azimuths ? azimuths[sun] : SKYLIGHT_SH_7_BANDS_DEGREES_13_7_AZIMUTH,
                                 SKYLIGHT_SH_7_BANDS_DEGREES_13_7_BANDS, weights);
 }
-#if defined(SKYLIGHT_SH_7_BANDS_DEGREES_13_7_LANES) && SKYLIGHT_SH_7_BANDS_DEGREES_13_7_LANES > 4
-/* As many suns side by side as a vector has numbers. */
-#define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SUNS SKYLIGHT_SH_7_BANDS_DEGREES_13_7_LANES
+#ifdef SKYLIGHT_SH_7_BANDS_DEGREES_13_7_LANES
+/* Suns that are evaluated side by side, and the vectors that they take. */
+#define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SUNS 16
+#define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_GROUPS (SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SUNS / \
+    SKYLIGHT_SH_7_BANDS_DEGREES_13_7_LANES)
 
-/* The weights of SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SUNS suns from `start` on, a row a weight;
- * returns the largest status. */
-static inline int skylight_sh_7_bands_degrees_13_7_evaluate_suns(
-    const skylight_sh_7_bands_degrees_13_7_real *rows,
-        const float *const inputs[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_AXES],
-    const float *azimuths, int start,
-    float out[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_CHANNELS *
-        SKYLIGHT_SH_7_BANDS_DEGREES_13_7_WEIGHTS][SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SUNS])
+/* Cosines and sines of angles side by side, as skylight_sh_7_bands_degrees_13_7_circle has them. */
+static inline void skylight_sh_7_bands_degrees_13_7_circle_suns(const float *angles, float *cosines,
+    float *sines)
 {
-    static const short columns[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_BANDS] =
-        SKYLIGHT_SH_7_BANDS_DEGREES_13_7_COLUMNS;
-    float x[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SUNS][SKYLIGHT_SH_7_BANDS_DEGREES_13_7_AXES],
-        light[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SUNS], u[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SUNS];
-    float others[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_OTHERS][SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SUNS];
-    float factors[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_FACTORS][SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SUNS];
-    float cosines[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_BANDS][SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SUNS],
-        sines[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_BANDS][SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SUNS];
-    skylight_sh_7_bands_degrees_13_7_lanes
-        sums[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_CLASSES][SKYLIGHT_SH_7_BANDS_DEGREES_13_7_WIDTH];
-    int s, i, k, l, m, channel, worst = 0;
+    float rest[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_LANES];
+    uint32_t bits[2][SKYLIGHT_SH_7_BANDS_DEGREES_13_7_LANES],
+        quarter[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_LANES];
+    skylight_sh_7_bands_degrees_13_7_lanes out[2];
+    int s, far = 0;
+    for (s = 0; s < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_LANES; ++s) far |= !(angles[s] > -1e5f &&
+        angles[s] < 1e5f);
+    if (far) {
+        for (s = 0; s < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_LANES; ++s)
+            skylight_sh_7_bands_degrees_13_7_circle(angles[s], cosines + s, sines + s);
+        return;
+    }
+    for (s = 0; s < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_LANES; ++s) {
+        const int quarters = (int)(angles[s] * 0.636619772f + copysignf(0.5f, angles[s]));
+        rest[s] = (float)((double)angles[s] - (double)quarters * 1.5707963267948966);
+        quarter[s] = (uint32_t)quarters;
+    }
+    skylight_sh_7_bands_degrees_13_7_quarter_suns(skylight_sh_7_bands_degrees_13_7_load(rest), out);
+    memcpy(bits, out, sizeof bits);
+    for (s = 0; s < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_LANES; ++s) {
+        const uint32_t swapped = (bits[0][s] ^ bits[1][s]) & (0u - (quarter[s] & 1u));
+        bits[0][s] ^= swapped ^ (((quarter[s] + 1u) & 2u) << 30);
+        bits[1][s] ^= swapped ^ ((quarter[s] & 2u) << 30);
+    }
+    memcpy(cosines, bits[0], sizeof bits[0]);
+    memcpy(sines, bits[1], sizeof bits[1]);
+}
+
+/* Reads SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SUNS suns from `start` on: clamped inputs, azimuths, what
+ * light each leaves.
+   Returns the largest status; a sun of status 2 has no light. */
+static inline int skylight_sh_7_bands_degrees_13_7_inputs_suns(const float *const
+    inputs[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_AXES],
+                                          const float *azimuths, int start,
+                                          float
+                                              x[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_AXES]
+                                              [SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SUNS],
+                                          float *azimuth, float *light)
+{
+    int axis, s, status = 0, strange = 0;
     for (s = 0; s < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SUNS; ++s) {
-        float given[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_AXES],
-            plus[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_BANDS],
-            minus[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_BANDS];
-        float azimuth = azimuths ? azimuths[start + s] : SKYLIGHT_SH_7_BANDS_DEGREES_13_7_AZIMUTH,
-            radius = 1.0f;
-        int status;
-        for (i = 0; i < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_AXES; ++i) given[i] = inputs[i][start + s];
-        status = skylight_sh_7_bands_degrees_13_7_inputs(given, azimuth, x[s]);
-        worst = status > worst ? status : worst;
+        azimuth[s] = azimuths ? azimuths[start + s] : SKYLIGHT_SH_7_BANDS_DEGREES_13_7_AZIMUTH;
         light[s] = SKYLIGHT_SH_7_BANDS_DEGREES_13_7_EXPOSURE;
-        if (status == 2) {
-            light[s] = azimuth = 0.0f;
-            for (i = 0; i < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_AXES; ++i) x[s][i] =
-                skylight_sh_7_bands_degrees_13_7_range[i][0];
+        strange |= skylight_sh_7_bands_degrees_13_7_kind(azimuth[s]);
+    }
+    for (axis = 0; axis < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_AXES; ++axis) {
+        const float low = skylight_sh_7_bands_degrees_13_7_range[axis][0],
+            high = skylight_sh_7_bands_degrees_13_7_range[axis][1];
+        for (s = 0; s < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SUNS; ++s) {
+            const float v = inputs[axis][start + s], at_least = v < low ? low : v;
+            strange |= skylight_sh_7_bands_degrees_13_7_kind(v);
+            status |= (v < skylight_sh_7_bands_degrees_13_7_inside[axis][0]) | (v >
+                skylight_sh_7_bands_degrees_13_7_inside[axis][1]);
+            x[axis][s] = at_least > high ? high : at_least;
         }
-        radius = skylight_sh_7_bands_degrees_13_7_sine(x[s]);
-        skylight_sh_7_bands_degrees_13_7_waves(azimuth, radius, plus, minus);
-        for (m = 0; m < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_BANDS; ++m) {
-            cosines[m][s] = plus[m];
-            sines[m][s] = minus[m];
+    }
+    if (strange) {
+        for (s = 0; s < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SUNS; ++s) {
+            float given[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_AXES],
+                clamped[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_AXES];
+            int found;
+            for (axis = 0; axis < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_AXES; ++axis) given[axis] =
+                inputs[axis][start + s];
+            found = skylight_sh_7_bands_degrees_13_7_inputs(given, azimuth[s], clamped);
+            if (found == 2) light[s] = azimuth[s] = 0.0f;
+            for (axis = 0; axis < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_AXES; ++axis)
+                x[axis][s] = found == 2 ? skylight_sh_7_bands_degrees_13_7_range[axis][0] :
+                    clamped[axis];
+            status = found > status ? found : status;
         }
     }
-    for (s = 0; s < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SUNS; ++s) {
-        float first[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_FIRST],
-            products[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_OTHERS];
-        skylight_sh_7_bands_degrees_13_7_first(x[s], first);
-        skylight_sh_7_bands_degrees_13_7_others(x[s], products);
-        u[s] = first[1];
-        for (i = 0; i < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_OTHERS; ++i) others[i][s] = products[i];
-    }
-    for (s = 0; s < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SUNS; ++s) {
-        float early[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_EARLY],
-            found[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_FACTORS];
-        skylight_sh_7_bands_degrees_13_7_begin_factors(x[s], early);
-        skylight_sh_7_bands_degrees_13_7_end_factors(x[s], early, found);
-        for (i = 0; i < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_FACTORS; ++i) factors[i][s] = found[i] *
-            light[s];
-    }
+    return status;
+}
+
+/* The sums of suns side by side: of each class and number of a row, over the products of the other
+   axes' functions, each times a polynomial in powers of u. */
+static inline void skylight_sh_7_bands_degrees_13_7_sum_suns(
+    const skylight_sh_7_bands_degrees_13_7_real *rows,
+        const skylight_sh_7_bands_degrees_13_7_lanes u[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_GROUPS],
+    skylight_sh_7_bands_degrees_13_7_lanes
+        others[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_GROUPS][SKYLIGHT_SH_7_BANDS_DEGREES_13_7_OTHERS],
+    skylight_sh_7_bands_degrees_13_7_lanes
+        sums[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_CLASSES][SKYLIGHT_SH_7_BANDS_DEGREES_13_7_WIDTH]
+        [SKYLIGHT_SH_7_BANDS_DEGREES_13_7_GROUPS])
+{
+    int i, t;
     for (i = 0; i < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_WIDTH; ++i) {
-        const skylight_sh_7_bands_degrees_13_7_lanes power =
-            skylight_sh_7_bands_degrees_13_7_load(u);
-        int t;
 #define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_CLASS(which, polynomials) \
     { \
-        skylight_sh_7_bands_degrees_13_7_lanes total; \
-        polynomials sums[which][i] = total; \
+        const int which_class = (which); \
+        skylight_sh_7_bands_degrees_13_7_lanes total[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_GROUPS]; \
+        polynomials SKYLIGHT_SH_7_BANDS_DEGREES_13_7_EACH(SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SUM) \
     }
-#define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_NOTHING total = skylight_sh_7_bands_degrees_13_7_spread(0);
+#define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SUM(g) \
+    if ((g) < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_GROUPS) sums[which_class][i][g] = total[g];
+#define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_NOTHING \
+    SKYLIGHT_SH_7_BANDS_DEGREES_13_7_EACH(SKYLIGHT_SH_7_BANDS_DEGREES_13_7_ZERO)
+#define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_ZERO(g) \
+    if ((g) < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_GROUPS) total[g] = \
+        skylight_sh_7_bands_degrees_13_7_spread(0);
 #define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_POLYNOMIAL(begin, count, other) \
     { \
         const float *term = rows + ((begin) + (count) - 1) * \
             SKYLIGHT_SH_7_BANDS_DEGREES_13_7_WIDTH + i; \
-        skylight_sh_7_bands_degrees_13_7_lanes sum = \
-            skylight_sh_7_bands_degrees_13_7_spread(*term); \
+        skylight_sh_7_bands_degrees_13_7_lanes sum[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_GROUPS], \
+            number = skylight_sh_7_bands_degrees_13_7_spread(*term); \
+        SKYLIGHT_SH_7_BANDS_DEGREES_13_7_EACH(SKYLIGHT_SH_7_BANDS_DEGREES_13_7_LAST) \
         for (t = 1; t < (count); ++t) { \
             term -= SKYLIGHT_SH_7_BANDS_DEGREES_13_7_WIDTH; \
-            sum = skylight_sh_7_bands_degrees_13_7_add(sum, power, \
-                skylight_sh_7_bands_degrees_13_7_spread(*term)); \
+            number = skylight_sh_7_bands_degrees_13_7_spread(*term); \
+            SKYLIGHT_SH_7_BANDS_DEGREES_13_7_EACH(SKYLIGHT_SH_7_BANDS_DEGREES_13_7_STEP_DOWN) \
         } \
-        total = skylight_sh_7_bands_degrees_13_7_add(sum, \
-            skylight_sh_7_bands_degrees_13_7_load(others[other]), total); \
+        { \
+            const int which_other = (other); \
+            SKYLIGHT_SH_7_BANDS_DEGREES_13_7_EACH(SKYLIGHT_SH_7_BANDS_DEGREES_13_7_TOTAL) \
+        } \
     }
+#define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_LAST(g) \
+    if ((g) < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_GROUPS) sum[g] = number;
+#define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_STEP_DOWN(g) \
+    if ((g) < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_GROUPS) { \
+        skylight_sh_7_bands_degrees_13_7_lanes v = skylight_sh_7_bands_degrees_13_7_add(sum[g], \
+            u[g], number); \
+        SKYLIGHT_SH_7_BANDS_DEGREES_13_7_IN_ORDER(v) \
+        sum[g] = v; \
+    }
+#define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_TOTAL(g) \
+    if ((g) < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_GROUPS) total[g] = \
+        skylight_sh_7_bands_degrees_13_7_add(sum[g], others[g][which_other], total[g]);
         SKYLIGHT_SH_7_BANDS_DEGREES_13_7_POLYNOMIALS(SKYLIGHT_SH_7_BANDS_DEGREES_13_7_CLASS,
             SKYLIGHT_SH_7_BANDS_DEGREES_13_7_NOTHING, SKYLIGHT_SH_7_BANDS_DEGREES_13_7_POLYNOMIAL)
 #undef SKYLIGHT_SH_7_BANDS_DEGREES_13_7_CLASS
 #undef SKYLIGHT_SH_7_BANDS_DEGREES_13_7_NOTHING
 #undef SKYLIGHT_SH_7_BANDS_DEGREES_13_7_POLYNOMIAL
+#undef SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SUM
+#undef SKYLIGHT_SH_7_BANDS_DEGREES_13_7_ZERO
+#undef SKYLIGHT_SH_7_BANDS_DEGREES_13_7_LAST
+#undef SKYLIGHT_SH_7_BANDS_DEGREES_13_7_STEP_DOWN
+#undef SKYLIGHT_SH_7_BANDS_DEGREES_13_7_TOTAL
     }
+}
+
+/* Whether all suns share the other axes: a day in one weather. */
+static inline int skylight_sh_7_bands_degrees_13_7_share(const float *const
+    inputs[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_AXES], int count)
+{
+    int axis, s, differ = 0;
+    for (axis = 1; axis < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_AXES; ++axis)
+        for (s = 1; s < count && !differ; ++s) differ = !(inputs[axis][s] == inputs[axis][0]);
+    return !differ;
+}
+
+/* Sums the rows over the other axes' functions at the first sun once for all: of each class a row
+ * for
+   each power of u. */
+static inline void skylight_sh_7_bands_degrees_13_7_sum_shared(const
+    skylight_sh_7_bands_degrees_13_7_real *rows,
+                                          const float *const
+                                              inputs[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_AXES],
+                                          float
+                                              shared[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SHARED]
+                                              [SKYLIGHT_SH_7_BANDS_DEGREES_13_7_WIDTH])
+{
+    static const unsigned short before[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_CLASSES] =
+        SKYLIGHT_SH_7_BANDS_DEGREES_13_7_BEFORE;
+    float given[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_AXES], x[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_AXES],
+        others[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_OTHERS];
+    int axis, i, t;
+    for (axis = 0; axis < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_AXES; ++axis) given[axis] =
+        inputs[axis][0];
+    for (t = 0; t < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SHARED; ++t)
+        for (i = 0; i < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_WIDTH; ++i) shared[t][i] = 0.0f;
+    /* The first axis is another matter: it is inside. */
+    given[0] = skylight_sh_7_bands_degrees_13_7_range[0][0];
+    if (skylight_sh_7_bands_degrees_13_7_inputs(given, 0.0f, x) == 2) return;
+    skylight_sh_7_bands_degrees_13_7_others(x, others);
+#define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_CLASS(which, polynomials) \
+    { \
+        const int place = before[which]; \
+        polynomials \
+    }
+#define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_NOTHING
+#define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_POLYNOMIAL(begin, count, other) \
+    for (t = 0; t < (count); ++t) \
+        for (i = 0; i < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_WIDTH; ++i) \
+            shared[place + t][i] += others[other] * rows[((begin) + t) * \
+                SKYLIGHT_SH_7_BANDS_DEGREES_13_7_WIDTH + i];
+    SKYLIGHT_SH_7_BANDS_DEGREES_13_7_POLYNOMIALS(SKYLIGHT_SH_7_BANDS_DEGREES_13_7_CLASS,
+        SKYLIGHT_SH_7_BANDS_DEGREES_13_7_NOTHING, SKYLIGHT_SH_7_BANDS_DEGREES_13_7_POLYNOMIAL)
+#undef SKYLIGHT_SH_7_BANDS_DEGREES_13_7_CLASS
+#undef SKYLIGHT_SH_7_BANDS_DEGREES_13_7_NOTHING
+#undef SKYLIGHT_SH_7_BANDS_DEGREES_13_7_POLYNOMIAL
+}
+
+/* The sums of suns side by side that share the other axes: polynomials in powers of u alone. */
+static inline void skylight_sh_7_bands_degrees_13_7_sum_sharing(
+    float shared[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SHARED][SKYLIGHT_SH_7_BANDS_DEGREES_13_7_WIDTH],
+        const skylight_sh_7_bands_degrees_13_7_lanes u[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_GROUPS],
+    skylight_sh_7_bands_degrees_13_7_lanes
+        sums[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_CLASSES][SKYLIGHT_SH_7_BANDS_DEGREES_13_7_WIDTH]
+        [SKYLIGHT_SH_7_BANDS_DEGREES_13_7_GROUPS])
+{
+    static const unsigned char longest[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_CLASSES] =
+        SKYLIGHT_SH_7_BANDS_DEGREES_13_7_LONGEST;
+    int c, i, t, row = 0;
+    for (c = 0; c < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_CLASSES; ++c) {
+        const int last = row + longest[c] - 1;
+        for (i = 0; i < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_WIDTH; ++i) {
+            skylight_sh_7_bands_degrees_13_7_lanes sum[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_GROUPS];
+            skylight_sh_7_bands_degrees_13_7_lanes number =
+                skylight_sh_7_bands_degrees_13_7_spread(last < row ? 0.0f : shared[last][i]);
+#define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_LAST(g) \
+    if ((g) < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_GROUPS) sum[g] = number;
+#define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_STEP_DOWN(g) \
+    if ((g) < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_GROUPS) sum[g] = \
+        skylight_sh_7_bands_degrees_13_7_add(sum[g], u[g], number);
+#define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SUM(g) \
+    if ((g) < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_GROUPS) sums[c][i][g] = sum[g];
+            SKYLIGHT_SH_7_BANDS_DEGREES_13_7_EACH(SKYLIGHT_SH_7_BANDS_DEGREES_13_7_LAST)
+            for (t = last - 1; t >= row; --t) {
+                number = skylight_sh_7_bands_degrees_13_7_spread(shared[t][i]);
+                SKYLIGHT_SH_7_BANDS_DEGREES_13_7_EACH(SKYLIGHT_SH_7_BANDS_DEGREES_13_7_STEP_DOWN)
+            }
+            SKYLIGHT_SH_7_BANDS_DEGREES_13_7_EACH(SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SUM)
+#undef SKYLIGHT_SH_7_BANDS_DEGREES_13_7_LAST
+#undef SKYLIGHT_SH_7_BANDS_DEGREES_13_7_STEP_DOWN
+#undef SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SUM
+        }
+        row = last + 1;
+    }
+}
+
+/* The weights of SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SUNS suns from `start` on, a row a weight, rows
+ * `step` apart; returns the
+   largest status. `shared` are the sums over the other axes where all suns share them,
+       or nothing. */
+static inline int skylight_sh_7_bands_degrees_13_7_evaluate_suns(const
+    skylight_sh_7_bands_degrees_13_7_real *rows,
+                                            const float *const
+                                                inputs[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_AXES],
+                                            const float *azimuths, int start,
+                                            float (*shared)[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_WIDTH],
+                                                float *out,
+                                            size_t step)
+{
+    static const short columns[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_BANDS] =
+        SKYLIGHT_SH_7_BANDS_DEGREES_13_7_COLUMNS;
+    float given[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_AXES][SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SUNS],
+        azimuth[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SUNS];
+    float light[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SUNS],
+        cosine[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SUNS], sine[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SUNS];
+    skylight_sh_7_bands_degrees_13_7_lanes u[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_GROUPS],
+        others[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_GROUPS][SKYLIGHT_SH_7_BANDS_DEGREES_13_7_OTHERS];
+    skylight_sh_7_bands_degrees_13_7_lanes
+        factors[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_GROUPS][SKYLIGHT_SH_7_BANDS_DEGREES_13_7_FACTORS];
+    skylight_sh_7_bands_degrees_13_7_lanes
+        cosines[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_GROUPS][SKYLIGHT_SH_7_BANDS_DEGREES_13_7_BANDS];
+    skylight_sh_7_bands_degrees_13_7_lanes
+        sines[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_GROUPS][SKYLIGHT_SH_7_BANDS_DEGREES_13_7_BANDS];
+    skylight_sh_7_bands_degrees_13_7_lanes
+        sums[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_CLASSES][SKYLIGHT_SH_7_BANDS_DEGREES_13_7_WIDTH]
+        [SKYLIGHT_SH_7_BANDS_DEGREES_13_7_GROUPS];
+    const int status = skylight_sh_7_bands_degrees_13_7_inputs_suns(inputs, azimuths, start, given,
+        azimuth, light);
+    int g, i, k, l, m, channel;
+    for (g = 0; g < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_GROUPS; ++g) {
+        const int at = g * SKYLIGHT_SH_7_BANDS_DEGREES_13_7_LANES;
+        skylight_sh_7_bands_degrees_13_7_lanes x[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_AXES],
+            first[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_FIRST];
+        skylight_sh_7_bands_degrees_13_7_lanes radius = skylight_sh_7_bands_degrees_13_7_spread(1);
+        for (i = 0; i < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_AXES; ++i) x[i] =
+            skylight_sh_7_bands_degrees_13_7_load(given[i] + at);
+        skylight_sh_7_bands_degrees_13_7_circle_suns(azimuth + at, cosine + at, sine + at);
+        radius = skylight_sh_7_bands_degrees_13_7_sine_suns(x);
+        skylight_sh_7_bands_degrees_13_7_waves_suns(skylight_sh_7_bands_degrees_13_7_load(cosine +
+            at), skylight_sh_7_bands_degrees_13_7_load(sine + at), radius,
+                               cosines[g], sines[g]);
+        skylight_sh_7_bands_degrees_13_7_first_suns(x, first);
+        u[g] = first[1];
+        skylight_sh_7_bands_degrees_13_7_others_suns(x, others[g]);
+        skylight_sh_7_bands_degrees_13_7_factors_suns(x, factors[g]);
+        for (i = 0; i < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_FACTORS; ++i) factors[g][i] *=
+            skylight_sh_7_bands_degrees_13_7_load(light + at);
+    }
+    if (shared)
+        skylight_sh_7_bands_degrees_13_7_sum_sharing(shared, u, sums);
+    else
+        skylight_sh_7_bands_degrees_13_7_sum_suns(rows, u, others, sums);
     for (channel = 0; channel < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_CHANNELS; ++channel) {
         for (l = 0; l < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_BANDS; ++l) {
-            float(*const w)[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SUNS] = out + channel *
-                SKYLIGHT_SH_7_BANDS_DEGREES_13_7_WEIGHTS + l * (l + 1);
+            float *const w = out + (size_t)(channel * SKYLIGHT_SH_7_BANDS_DEGREES_13_7_WEIGHTS + l *
+                (l + 1)) * step;
             for (m = 0; m <= l; ++m) {
-                skylight_sh_7_bands_degrees_13_7_lanes v =
-                    skylight_sh_7_bands_degrees_13_7_spread(0);
-                if (columns[l] >= 0) {
-                    for (k = 0; k < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_CLASSES; ++k)
-                        v = skylight_sh_7_bands_degrees_13_7_add(
-                            skylight_sh_7_bands_degrees_13_7_load(factors[channel *
-                                SKYLIGHT_SH_7_BANDS_DEGREES_13_7_CLASSES + k]),
-                            sums[k][columns[l] + m], v);
-                }
-                {
-                    const skylight_sh_7_bands_degrees_13_7_lanes plus = v *
-                        skylight_sh_7_bands_degrees_13_7_load(cosines[m]);
-                    const skylight_sh_7_bands_degrees_13_7_lanes minus = v *
-                        skylight_sh_7_bands_degrees_13_7_load(sines[m]);
-                    memcpy(w[-m], &minus, sizeof minus);
-                    memcpy(w[m], &plus, sizeof plus);
+                for (g = 0; g < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_GROUPS; ++g) {
+                    skylight_sh_7_bands_degrees_13_7_lanes v =
+                        skylight_sh_7_bands_degrees_13_7_spread(0), turned;
+                    if (columns[l] >= 0) {
+                        for (k = 0; k < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_CLASSES; ++k)
+                            v = skylight_sh_7_bands_degrees_13_7_add(factors[g]
+                                [SKYLIGHT_SH_7_BANDS_DEGREES_13_7_FACTOR(channel, k)],
+                                                sums[k][columns[l] + m][g], v);
+                    }
+                    turned = v * sines[g][m];
+                    memcpy(w - (size_t)m * step + g * SKYLIGHT_SH_7_BANDS_DEGREES_13_7_LANES,
+                        &turned, sizeof turned);
+                    turned = v * cosines[g][m];
+                    memcpy(w + (size_t)m * step + g * SKYLIGHT_SH_7_BANDS_DEGREES_13_7_LANES,
+                        &turned, sizeof turned);
                 }
             }
         }
     }
     (void)k;
-    return worst;
+    return status;
+}
+
+/* Four rows of four numbers to columns, `step` apart. */
+static inline void skylight_sh_7_bands_degrees_13_7_transpose(const float *from, size_t step,
+    float *to, size_t between)
+{
+    const skylight_sh_7_bands_degrees_13_7_four a =
+        skylight_sh_7_bands_degrees_13_7_load_four(from),
+        b = skylight_sh_7_bands_degrees_13_7_load_four(from + step);
+    const skylight_sh_7_bands_degrees_13_7_four c = skylight_sh_7_bands_degrees_13_7_load_four(from
+        + 2 * step);
+    const skylight_sh_7_bands_degrees_13_7_four d = skylight_sh_7_bands_degrees_13_7_load_four(from
+        + 3 * step);
+    const skylight_sh_7_bands_degrees_13_7_four ab = SKYLIGHT_SH_7_BANDS_DEGREES_13_7_PICK(a, b, 0,
+        4, 1, 5);
+    const skylight_sh_7_bands_degrees_13_7_four cd = SKYLIGHT_SH_7_BANDS_DEGREES_13_7_PICK(c, d, 0,
+        4, 1, 5);
+    const skylight_sh_7_bands_degrees_13_7_four ab_2 = SKYLIGHT_SH_7_BANDS_DEGREES_13_7_PICK(a, b,
+        2, 6, 3, 7);
+    const skylight_sh_7_bands_degrees_13_7_four cd_2 = SKYLIGHT_SH_7_BANDS_DEGREES_13_7_PICK(c, d,
+        2, 6, 3, 7);
+    skylight_sh_7_bands_degrees_13_7_keep(to, SKYLIGHT_SH_7_BANDS_DEGREES_13_7_PICK(ab, cd, 0, 1, 4,
+        5));
+    skylight_sh_7_bands_degrees_13_7_keep(to + between, SKYLIGHT_SH_7_BANDS_DEGREES_13_7_PICK(ab,
+        cd, 2, 3, 6, 7));
+    skylight_sh_7_bands_degrees_13_7_keep(to + 2 * between,
+        SKYLIGHT_SH_7_BANDS_DEGREES_13_7_PICK(ab_2, cd_2, 0, 1, 4, 5));
+    skylight_sh_7_bands_degrees_13_7_keep(to + 3 * between,
+        SKYLIGHT_SH_7_BANDS_DEGREES_13_7_PICK(ab_2, cd_2, 2, 3, 6, 7));
 }
 #endif
+
+/* Numbers of one sun's weights. */
+#define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_NUMBERS (SKYLIGHT_SH_7_BANDS_DEGREES_13_7_CHANNELS * \
+    SKYLIGHT_SH_7_BANDS_DEGREES_13_7_WEIGHTS)
 
 /* Evaluates `count` suns from arrays, one an axis, and one of azimuths (or none, where the table
    fixes it); returns the largest status. */
@@ -2605,8 +3205,34 @@ static inline int skylight_sh_7_bands_degrees_13_7_evaluate_batch(
         (*weights)[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_CHANNELS]
         [SKYLIGHT_SH_7_BANDS_DEGREES_13_7_WEIGHTS])
 {
-    int s, status, worst = 0;
-    for (s = 0; s < count; ++s) {
+    int s = 0, status, worst = 0;
+#ifdef SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SUNS
+    float shared[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SHARED][SKYLIGHT_SH_7_BANDS_DEGREES_13_7_WIDTH];
+    const int share = count >= SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SUNS &&
+        skylight_sh_7_bands_degrees_13_7_share(inputs, count);
+    if (share) skylight_sh_7_bands_degrees_13_7_sum_shared(rows, inputs, shared);
+    for (; s + SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SUNS <= count; s +=
+        SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SUNS) {
+        float out[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_NUMBERS * SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SUNS];
+        int i, k;
+        status = skylight_sh_7_bands_degrees_13_7_evaluate_suns(rows, inputs, azimuths, s,
+            share ? shared : 0, out,
+                                           SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SUNS);
+        worst = status > worst ? status : worst;
+        /* In fours; the last may overlap those before. */
+        for (i = 0; i < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_NUMBERS; i += 4) {
+            const int at = i + 4 > SKYLIGHT_SH_7_BANDS_DEGREES_13_7_NUMBERS ?
+                SKYLIGHT_SH_7_BANDS_DEGREES_13_7_NUMBERS - 4 : i;
+            for (k = 0; k < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SUNS; k += 4)
+                skylight_sh_7_bands_degrees_13_7_transpose(out + at *
+                    SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SUNS + k,
+                    SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SUNS,
+                                      &weights[s + k][0][0] + at,
+                                          SKYLIGHT_SH_7_BANDS_DEGREES_13_7_NUMBERS);
+        }
+    }
+#endif
+    for (; s < count; ++s) {
         status = skylight_sh_7_bands_degrees_13_7_evaluate_one(rows, inputs, azimuths, s,
             weights[s]);
         worst = status > worst ? status : worst;
@@ -2624,15 +3250,35 @@ static inline int skylight_sh_7_bands_degrees_13_7_evaluate_columns(const
     const size_t step = count > 0 ? (size_t)count : 0;
     int s = 0, i, status, worst = 0;
 #ifdef SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SUNS
+    float shared[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SHARED][SKYLIGHT_SH_7_BANDS_DEGREES_13_7_WIDTH];
+    const int share = count >= SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SUNS &&
+        skylight_sh_7_bands_degrees_13_7_share(inputs, count);
+    if (share) skylight_sh_7_bands_degrees_13_7_sum_shared(rows, inputs, shared);
+#if SKYLIGHT_SH_7_BANDS_DEGREES_13_7_LANES == 8
+    /* Four times as many at once: rows far apart cost time for each visit, not for what is stored.
+     * */
+    for (; s + 4 * SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SUNS <= count; s += 4 *
+        SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SUNS) {
+        float out[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_NUMBERS][4 *
+            SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SUNS];
+        for (i = 0; i < 4; ++i) {
+            status = skylight_sh_7_bands_degrees_13_7_evaluate_suns(rows, inputs, azimuths,
+                s + i * SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SUNS,
+                                               share ? shared : 0,
+                                                   out[0] + i *
+                                                   SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SUNS,
+                                                   4 * SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SUNS);
+            worst = status > worst ? status : worst;
+        }
+        for (i = 0; i < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_NUMBERS; ++i)
+            memcpy(weights + (size_t)i * step + (size_t)s, out[i], sizeof out[i]);
+    }
+#endif
     for (; s + SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SUNS <= count; s +=
         SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SUNS) {
-        float out[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_CHANNELS *
-            SKYLIGHT_SH_7_BANDS_DEGREES_13_7_WEIGHTS][SKYLIGHT_SH_7_BANDS_DEGREES_13_7_SUNS];
-        status = skylight_sh_7_bands_degrees_13_7_evaluate_suns(rows, inputs, azimuths, s, out);
+        status = skylight_sh_7_bands_degrees_13_7_evaluate_suns(rows, inputs, azimuths, s,
+            share ? shared : 0, weights + s, step);
         worst = status > worst ? status : worst;
-        for (i = 0; i < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_CHANNELS *
-            SKYLIGHT_SH_7_BANDS_DEGREES_13_7_WEIGHTS; ++i)
-            memcpy(weights + (size_t)i * step + (size_t)s, out[i], sizeof out[i]);
     }
 #endif
     while (s < count) {
@@ -2647,8 +3293,7 @@ static inline int skylight_sh_7_bands_degrees_13_7_evaluate_columns(const
                 some[k]);
             worst = status > worst ? status : worst;
         }
-        for (i = 0; i < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_CHANNELS *
-            SKYLIGHT_SH_7_BANDS_DEGREES_13_7_WEIGHTS; ++i)
+        for (i = 0; i < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_NUMBERS; ++i)
             for (k = 0; k < now; ++k)
                 weights[(size_t)i * step + (size_t)(s + k)] =
                     some[k][i / SKYLIGHT_SH_7_BANDS_DEGREES_13_7_WEIGHTS][i %
@@ -2699,7 +3344,7 @@ static inline double skylight_sh_7_bands_degrees_13_7_mixed_double(double
     double sum = 0.0;
     int k;
     for (k = 0; k < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_CLASSES; ++k)
-        sum += factors[channel * SKYLIGHT_SH_7_BANDS_DEGREES_13_7_CLASSES + k] * sums[k][column];
+        sum += factors[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_FACTOR(channel, k)] * sums[k][column];
     return sum;
 }
 
@@ -2727,7 +3372,7 @@ static inline int skylight_sh_7_bands_degrees_13_7_evaluate_gradient(
     double powers[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_BANDS],
         power_slopes[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_BANDS];
     skylight_sh_7_bands_degrees_13_7_real cosines[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_BANDS],
-        sines[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_BANDS];
+        sines[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_BANDS], of_x, of_y;
     int axis, channel, i, l, m, sunk = 0;
     const int status =
         skylight_sh_7_bands_degrees_13_7_evaluate(rows, inputs, azimuth,
@@ -2760,8 +3405,9 @@ static inline int skylight_sh_7_bands_degrees_13_7_evaluate_gradient(
             power_slopes[m] = (double)m * powers[m - 1] * sine[1];
         }
     }
-    skylight_sh_7_bands_degrees_13_7_waves((skylight_sh_7_bands_degrees_13_7_real)azimuth, 1,
-        cosines, sines);
+    skylight_sh_7_bands_degrees_13_7_circle((skylight_sh_7_bands_degrees_13_7_real)azimuth, &of_x,
+        &of_y);
+    skylight_sh_7_bands_degrees_13_7_waves(of_x, of_y, 1, cosines, sines);
     skylight_sh_7_bands_degrees_13_7_sum_double(rows, functions, sums);
     for (axis = 0; axis < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_AXES; ++axis) {
         double kept[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_MOST];
