@@ -126,17 +126,16 @@ def _factors(table: Table, language: Language, x: Sequence[str]) -> Iterator[str
 def _factor_lines(table: Table, language: Language, x: Sequence[str]) -> list[str]:
     """Return the statements that fill ``out``, with 0 where no channel has a place."""
     if not table.spec.scale:
-        return [_filled(language, "out[0]", 1.0), "(void)x;"]
+        return [_filled(language, "out[0]", 1), "(void)x;"]
     places = c_data.factor_places(table)
     empty = sorted(set(range(c_data.factors(table))) - set(places))
     lines = printers.assignments(table.spec.scale.program, language, x, [f"out[{place}]" for place in places])
-    return [*lines, *(_filled(language, f"out[{place}]", 0.0) for place in empty), "(void)x;"]
+    return [*lines, *(_filled(language, f"out[{place}]", 0) for place in empty), "(void)x;"]
 
 
-def _filled(language: Language, target: str, value: float) -> str:
-    """Return the statement that gives ``target`` a number."""
-    text = language.number(value)
-    return f"{target} = {language.vectors.spread.format(x=text) if language.vectors else text};"
+def _filled(language: Language, target: str, value: int) -> str:
+    """Return the statement that gives ``target`` a whole number."""
+    return f"{target} = {language.vectors.spread.format(x=value) if language.vectors else value};"
 
 
 def _keeps_shorts(table: Table) -> bool:
@@ -227,14 +226,14 @@ def _first(table: Table, language: Language) -> list[str]:
     size = len(program.outputs)
     lines = printers.assignments(program, language, ["x[0]"], [f"out[{k}]" for k in range(size)])
     empty = range(size, c_data.room(size - 1))
-    return [*lines, *(_filled(language, f"out[{k}]", 0.0) for k in empty), "(void)x;"]
+    return [*lines, *(_filled(language, f"out[{k}]", 0) for k in empty), "(void)x;"]
 
 
 def _others(table: Table, language: Language, real: str) -> list[str]:
     """Return the lines that fill all products of the other axes' functions, the last axis's fastest."""
     names = [axis.name for axis in table.axes[1:]]
     if not names:
-        return [_filled(language, "out[0]", 1.0), "(void)x;"]
+        return [_filled(language, "out[0]", 1), "(void)x;"]
     lines: list[str] = []
     arrays = ["out"] if len(names) == 1 else [f"{name}_terms" for name in names]
     for axis, array in enumerate(arrays, start=1):

@@ -226,8 +226,8 @@ static inline void skylight_sh_first(const skylight_sh_real *x, skylight_sh_real
     out[3] = 2.0f * out[1] * out[2] - out[1];
     out[4] = 2.0f * out[2] * out[2] - 1.0f;
     out[5] = 2.0f * out[2] * out[3] - out[1];
-    out[6] = 0.0f;
-    out[7] = 0.0f;
+    out[6] = 0;
+    out[7] = 0;
     (void)x;
 }
 
