@@ -50,6 +50,8 @@ reference: .venv/dev.stamp ## Release the default config's result, a picture of 
 	@mkdir -p reports/reference && find reports/reference -mindepth 1 ! -name speed.json -delete
 	@cd reports/preetham && cp -r export figures errors.csv references.csv summary.json SHA256SUMS index.html ../reference/
 	@cp reports/valley/figures/surroundings.png reports/reference/valley.png
+	@$(RUN) render courtyard --slices 8 --size 1024x576 --turbidity 2.5 --output reports/reference/day.png
+	@.venv/bin/python -m skylight_sh.studies.claims code
 	@.venv/bin/python -m skylight_sh.studies.claims measure
 	@.venv/bin/python -m skylight_sh.studies.claims write
 

@@ -14,8 +14,9 @@ from click.testing import CliRunner
 from conftest import ROOT, SMALL
 from skylight_sh import runtime
 from skylight_sh.cli import main
+from skylight_sh.config import load
 from skylight_sh.run.runner import Result
-from skylight_sh.studies.claims import gradient, measured, readme
+from skylight_sh.studies.claims import day, gradient, measured, readme, sources
 
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 REFERENCE = ROOT / "reports" / "reference"
@@ -51,7 +52,7 @@ def test_a_run_ends_with_the_lines_that_are_shown(small_run: Result) -> None:
 def test_the_claims_hold() -> None:
     """What was released, measured anew: three digits where arithmetic alone may differ, coarser where less is sampled."""
     claims = json.loads((REFERENCE / "claims.json").read_text(encoding="utf-8"))
-    assert set(claims) == {"gradient", "pictures", "ringing", "valley", "lighting", "daylight"}
+    assert set(claims) == {"gradient", "pictures", "ringing", "valley", "lighting", "day", "daylight"}
     assert measured.daylight() == near(claims["daylight"], rel=1e-3)
     assert measured.ringing(7) == near(claims["ringing"], rel=6e-3)
     found = measured.pictures((512,))
@@ -82,6 +83,37 @@ def test_the_valley_is_as_far_as_told() -> None:
     """By an eighth of the meridians and of their nodes: within a tenth of each figure."""
     claim = json.loads((REFERENCE / "claims.json").read_text(encoding="utf-8"))["valley"]
     assert measured.valley(ROOT / "configs" / "valley.toml", 128) == near(claim, rel=0.1)
+
+
+def test_the_day_is_as_exact_as_told(tmp_path: Path) -> None:
+    """By fewer pixels, paths and rays: most of the error is that of few bands and of vertices."""
+    claim = json.loads((REFERENCE / "claims.json").read_text(encoding="utf-8"))["day"]
+    config = load(ROOT / "configs" / "courtyard.toml")
+    assert config.scene.mesh is not None
+    mesh = config.scene.mesh.model_copy(update={"rays": 256, "gather_rays": 64})
+    coarse = config.model_copy(update={"scene": config.scene.model_copy(update={"mesh": mesh})})
+    found = day.measure(coarse, tmp_path, 36, 16)
+    assert {"table", "bytes", "bands", "slices"} < set(claim)
+    for errors in ("error", "from_table"):
+        assert found.pop(errors) == pytest.approx(claim.pop(errors), rel=0.25)
+    assert found == claim
+    picture = (REFERENCE / "day.png").read_bytes()
+    assert len(picture) <= 400_000
+    assert 800 <= int.from_bytes(picture[16:20], "big") <= 1200
+
+
+def test_the_days_picture_is_the_one_measured() -> None:
+    """`make reference` and the README name the same command."""
+    asked = f"render courtyard --slices {day.SLICES} --size 1024x576 --turbidity {day.TURBIDITY} --output"
+    assert asked in README
+    assert asked in (ROOT / "Makefile").read_text(encoding="utf-8")
+
+
+def test_sources_of_the_recommended_table_are_released() -> None:
+    """What `make reference` writes beside the headers, held to the table by the tests of their own languages."""
+    released = {path.name: path.read_bytes() for path in (REFERENCE / "code").iterdir()}
+    assert sources.of(REFERENCE) == released
+    assert {path.rpartition(".")[2] for path in released} == {"glsl", "hlsl", "wgsl", "mjs", "mts", "cs"}
 
 
 def near(value: Any, rel: float) -> Any:

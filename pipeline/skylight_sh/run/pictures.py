@@ -55,13 +55,13 @@ class Asked:
 
 def picture_of(config: Config, view: ViewSection, asked: Asked, store: Path, warn: Warn) -> Made:
     """Return the picture of a view."""
-    return _Studio(config, view, asked, Store(store), warn).take(from_views.sun_of(view.sun))
+    return Studio(config, view, asked, Store(store), warn).take(from_views.sun_of(view.sun))
 
 
 def frames_of(config: Config, view: ViewSection, asked: Asked, store: Path, count: int, warn: Warn) -> Iterator[Made]:
     """Yield ``count`` pictures of the view's day, from sunrise to sunset."""
     suns = from_views.day_of(view.sun, count)
-    studio = _Studio(config, view, asked, Store(store), warn)
+    studio = Studio(config, view, asked, Store(store), warn)
     for sun in suns:
         yield studio.take(sun)
 
@@ -69,7 +69,7 @@ def frames_of(config: Config, view: ViewSection, asked: Asked, store: Path, coun
 def slices_of(config: Config, view: ViewSection, asked: Asked, store: Path, count: int, warn: Warn) -> Made:
     """Return one picture in strips, each at another time of the view's day, with thin rules between and hours upon them."""
     suns = from_views.day_of(view.sun, count)
-    studio = _Studio(config, view, asked, Store(store), warn)
+    studio = Studio(config, view, asked, Store(store), warn)
     strips = [studio.take(sun, columns) for sun, columns in zip(suns, from_views.edges(view.width, count), strict=True)]
     radiance, srgb = (np.concatenate([strip[k] for strip in strips], axis=1) for k in (0, 1))
     size = max(1, view.height // _ROWS_A_DOT)
@@ -83,7 +83,7 @@ def slices_of(config: Config, view: ViewSection, asked: Asked, store: Path, coun
     return radiance, srgb, f"{count} times from {suns[0].clock} to {suns[-1].clock}"
 
 
-class _Studio:
+class Studio:
     """A view made ready: its table, surfaces and transfer, for as many suns as are asked for."""
 
     def __init__(self, config: Config, view: ViewSection, asked: Asked, store: Store, warn: Warn) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import json
+from collections.abc import Mapping
 from typing import Any
 
 from skylight_sh import __version__
@@ -43,6 +44,19 @@ def facts_of(config: Config, table: Table, measured: Dataset, name: str) -> dict
     }
 
 
+def told_of(config: Config, row: Mapping[str, Any]) -> Facts:
+    """Return what a table's files say of it, from its ``row`` of the summary."""
+    return Facts(
+        config.source.title,
+        row["e_mean"],
+        row["e_max"],
+        row["l_min"],
+        [f"skylight-sh {__version__}, config {config.name} {settings_digest(config)[:16]}, table {row['name']}"],
+        least=row["least"],
+        luminance=config.source.luminance_row.tolist(),
+    )
+
+
 def make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
     """Write every winner's files and the summary."""
     select, measured = inputs["select"], inputs["measure"]
@@ -65,15 +79,7 @@ def make(config: Config, inputs: Inputs, advance: Advance) -> Dataset:
             "version": __version__,
         }
         table = dataclasses.replace(found, provenance=provenance)
-        facts = Facts(
-            config.source.title,
-            row["e_mean"],
-            row["e_max"],
-            row["l_min"],
-            [f"skylight-sh {__version__}, config {config.name} {settings_digest(config)[:16]}, table {name}"],
-            least=row["least"],
-            luminance=config.source.luminance_row.tolist(),
-        )
+        facts = told_of(config, row)
         written = targets.write(config.export.targets, table, facts, row["prefix"])
         files |= {f"{row['path']}/{file}": data for file, data in written.items()}
     summary = {"config": whole_settings(config), "recommended": config.export.recommended, "tables": rows}

@@ -8,7 +8,7 @@ from pathlib import Path
 import click
 
 from skylight_sh.store import atomic
-from skylight_sh.studies.claims import measured, readme
+from skylight_sh.studies.claims import measured, readme, sources
 from skylight_sh.studies.speed.speed import FILE
 
 _ROOT = Path(__file__).resolve().parents[4]
@@ -46,6 +46,15 @@ def speed(bench: Path, reference: Path) -> None:
     except OSError as error:
         raise click.ClickException(f"{bench / FILE} cannot be read. Run `make bench` first.") from error
     atomic.write(reference / FILE, data)
+
+
+@main.command()
+@_REFERENCE
+def code(reference: Path) -> None:
+    """Write the recommended table as shaders, JavaScript and C# into the folder code."""
+    (reference / "code").mkdir(exist_ok=True)
+    for name, data in sources.of(reference).items():
+        atomic.write(reference / "code" / name, data)
 
 
 @main.command()

@@ -1,4 +1,4 @@
-"""The README's figures, each measured afresh: gradient, pictures, ringing, a scene, and a clear day."""
+"""The README's figures, each measured afresh: gradient, pictures, ringing, a scene, a clear day, and a lit one."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from skylight_sh.report import panorama
 from skylight_sh.report import ringing as study
 from skylight_sh.run.stages.lighting import sets_of
 from skylight_sh.scene import clear_day as clear
-from skylight_sh.studies.claims import gradient, scene
+from skylight_sh.studies.claims import day, gradient, scene
 from skylight_sh.studies.lighting import study as lit
 
 Array = NDArray[np.float64]
@@ -39,6 +39,7 @@ _RINGING_EACH = 7
 _SCENE_ROWS = 1024
 _SCENE_AZIMUTHS = (0.0, 120.0, 240.0)
 _SCENE_SHOWN = (3, 5, 7)
+_DAY_ROWS, _DAY_PATHS = 72, 64
 
 
 def all_claims(root: Path, reference: Path) -> dict[str, Any]:
@@ -53,6 +54,7 @@ def all_claims(root: Path, reference: Path) -> dict[str, Any]:
         "ringing": lambda: ringing(_RINGING_EACH),
         "valley": lambda: valley(root / "configs" / "valley.toml", _SCENE_ROWS),
         "lighting": lambda: lighting(root / "configs" / "preetham.toml", reference),
+        "day": lambda: courtyard(root / "configs" / "courtyard.toml", _DAY_ROWS, _DAY_PATHS),
     }
     return {name: rounded(measure()) for name, measure in parts.items()} | {"daylight": daylight()}
 
@@ -160,6 +162,12 @@ def lighting(path: Path, reference: Path) -> dict[str, Any]:
         str(row["table"]): {key: [float(str(row[name])) for name in names] for key, names in keys.items()} for row in rows
     }
     return {"sets": len(sets_of(config)), "tables": tables}
+
+
+def courtyard(path: Path, rows: int, paths: int) -> dict[str, Any]:
+    """Return what lit the README's first picture and how exact it is (``day.measure``); config ``path``."""
+    with tempfile.TemporaryDirectory() as folder:
+        return day.measure(load(path), Path(folder), rows, paths)
 
 
 def rounded(value: Any) -> Any:
