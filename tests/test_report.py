@@ -18,10 +18,10 @@ from PIL import Image
 from skylight_sh import MissingExtraError, runtime, shipped
 from skylight_sh.config import load
 from skylight_sh.report import overview, timings
+from skylight_sh.report.amounts import percent
 from skylight_sh.report.choice import same_as
 from skylight_sh.report.origins import explained
 from skylight_sh.report.report_data import Entry
-from skylight_sh.report.style import percent
 from skylight_sh.report.titles import title
 from skylight_sh.run.provenance import settings
 from skylight_sh.run.runner import Result

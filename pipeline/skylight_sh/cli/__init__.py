@@ -26,6 +26,7 @@ COMMANDS = {
     "run": Entry("Run a config: sample, fit, select, export, report.", "pipeline"),
     "configs": Entry("List the configs that come with the package."),
     "init": Entry("Start a config of your own."),
+    "tables": Entry("List and compare the tables of runs, and advise which to take."),
     "evaluate": Entry("Print one sky of an exported table, also as an engine reads it."),
     "export": Entry("Write a day of skies at a place on Earth, as an engine reads them.", "solar"),
     "project": Entry("Print the SH weights of a picture of the whole sphere.", "images"),

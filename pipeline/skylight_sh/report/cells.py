@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from skylight_sh.report.style import count, percent
+from skylight_sh.report.amounts import count, percent
 
 
 @dataclass(frozen=True)

@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
+from skylight_sh.report.amounts import count, nanoseconds
 from skylight_sh.report.report_data import Entry, ReportData
-from skylight_sh.report.style import count, nanoseconds
 from skylight_sh.report.timings import Timings
 from skylight_sh.runtime import Packed, Table
 from skylight_sh.table.size import bytes_of

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from skylight_sh.report.style import count, percent
+from skylight_sh.report.amounts import count, percent
 
 # Habel et al. 2008, section 3.3: the largest E_mean of 7 bands, "below 1.5 %".
 QUOTED = 0.015

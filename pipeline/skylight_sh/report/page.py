@@ -10,10 +10,10 @@ import numpy as np
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from skylight_sh.report import choice, origins, savings, titles
+from skylight_sh.report.amounts import count, percent
 from skylight_sh.report.cells import Cell, fraction, number, text
 from skylight_sh.report.figures import PICTURES
 from skylight_sh.report.report_data import Entry, ReportData
-from skylight_sh.report.style import count, percent
 from skylight_sh.report.timings import Timings
 from skylight_sh.runtime import Packed
 from skylight_sh.table.size import bytes_of, coefficients_of

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from pathlib import Path
 
 from skylight_sh import shipped
 
@@ -37,8 +38,11 @@ class Timings:
 def released() -> Timings:
     """Return the figures that ship with the package; none where there are none."""
     place = shipped.speed()
-    if place is None:
-        return Timings()
+    return read(place) if place else Timings()
+
+
+def read(place: Path) -> Timings:
+    """Return the figures of a benchmark's ``speed.json``. Raises KeyError, TypeError or ValueError where it is none."""
     told = json.loads(place.read_text(encoding="utf-8"))
     known = {row["name"]: row for row in told["candidates"]}
 
