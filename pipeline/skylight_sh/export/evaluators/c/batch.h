@@ -173,6 +173,7 @@ static inline void skylight_sh_sum_shared(const skylight_sh_real *rows,
 #define SKYLIGHT_SH_CLASS(which, polynomials) \
     { \
         const int place = before[which]; \
+        (void)place; \
         polynomials \
     }
 #define SKYLIGHT_SH_NOTHING
