@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import shutil
 from pathlib import Path
-from typing import Any
+from types import SimpleNamespace
+from typing import Any, cast
 
 import numpy as np
 import pytest
@@ -15,7 +16,8 @@ from skylight_sh import sphere
 from skylight_sh.config import Config, parse
 from skylight_sh.config.extending import read
 from skylight_sh.light import spherical_lights
-from skylight_sh.report.page import _TEMPLATES
+from skylight_sh.report.page import is_noisy
+from skylight_sh.report.report_data import ReportData
 from skylight_sh.studies.claims import readme, scene
 from skylight_sh.studies.claims.__main__ import main
 
@@ -101,18 +103,16 @@ def test_clouds_are_where_their_picture_has_them(monkeypatch: pytest.MonkeyPatch
 
 
 @pytest.mark.parametrize(
-    ("fit", "reference", "noise"), [("2.1", "8.9e+19", True), ("7e+19", None, True), ("2.1", "8e+9", False)]
+    ("fit", "reference", "noise"), [(2.1, 8.9e19, True), (7e19, None, True), (2.1, 8e9, False), (2.1, None, False)]
 )
-def test_the_page_says_what_is_rounding_noise(fit: str, reference: str | None, noise: bool) -> None:
+def test_the_page_says_what_is_rounding_noise(fit: float, reference: float | None, noise: bool) -> None:
     """Beside a reference of that condition number, or on the page of a run whose own fit has it, as configs/paper.toml's."""
-    row = dict.fromkeys(("name", "bands", "basis", "degrees", "dtype", "layout", "coefficients", "bytes", "worst"), "some")
-    row |= {"e_mean": "12 %", "e_max": "40 %", "stricter": [], "rel_l2": "1 %", "condition": None}
-    page = _TEMPLATES.get_template("index.html.j2").render(
-        **{"name": "a", "title": "a", "best": row, "tables": [row], "references": [row | {"condition": reference}]},
-        **{"conventions": ("per-set",), "pictures": [], "degrees": None, "facts": {"Condition number of the fit": fit}},
-        **{"skipped": [], "settings": "", "environment": {}, "keys": {}},
-    )
-    assert ("rounding noise, and this machine's" in page) == noise
+    told = {"fit": {"solver": "normal", "references": [{"name": "a", "solver": "normal"}]}}
+    data = SimpleNamespace(settings=told, condition=fit, references=[SimpleNamespace(name="a", condition=reference)])
+    assert is_noisy(cast("ReportData", data)) == noise
+    # Another solver needs no normal equations.
+    told["fit"] = {"solver": "svd", "references": [{"name": "a", "solver": "svd"}]}
+    assert not is_noisy(cast("ReportData", data))
 
 
 def test_the_command_writes_blocks_and_releases_speed(tmp_path: Path) -> None:

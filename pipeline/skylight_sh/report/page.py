@@ -37,7 +37,7 @@ def html(data: ReportData, pictures: Mapping[str, tuple[int, int]], timings: Tim
         choices=[_choice(data, one, timings) for one in choices],
         tables=_tables(data, timings),
         references=_references(data),
-        noisy=any(_is_noise(data, entry) for entry in data.references),
+        noisy=is_noisy(data),
         machine=timings.machine if any(_timed(e, timings) for e in data.winners) else "",
         packed=any(isinstance(e.table.body, Packed) for e in data.winners),
         conventions=data.conventions,
@@ -110,10 +110,20 @@ def _cells(data: ReportData, entry: Entry, ns: float | None, timed: bool) -> dic
     return found
 
 
+def is_noisy(data: ReportData) -> bool:
+    """Say whether the run's own fit or a reference's is rounding noise: the page says so once."""
+    own = _is_lost(data.settings["fit"]["solver"], data.condition)
+    return own or any(_is_noise(data, entry) for entry in data.references)
+
+
 def _is_noise(data: ReportData, entry: Entry) -> bool:
-    """Say whether a fit by the normal equations is what rounding leaves of a system that double precision cannot hold."""
+    """Say whether a reference's fit is what rounding leaves of normal equations that double precision cannot hold."""
     solvers = {told["name"]: told["solver"] for told in data.settings["fit"]["references"]}
-    return solvers.get(entry.name) == "normal" and entry.condition is not None and entry.condition > _NOISE
+    return _is_lost(solvers.get(entry.name, ""), entry.condition)
+
+
+def _is_lost(solver: str, condition: float | None) -> bool:
+    return solver == "normal" and condition is not None and condition > _NOISE
 
 
 def _references(data: ReportData) -> list[dict[str, Any]]:
