@@ -144,11 +144,11 @@ def test_letters_are_legible_on_a_phone() -> None:
     ]
     for figure in drawn:
         style.png(figure)
-        scale = 360.0 / (figure.get_figwidth() * style.DPI)
+        scale = 360.0 / (figure.get_figwidth() * figure.dpi)
         texts = [text for text in figure.findobj(lambda a: hasattr(a, "get_fontsize")) if text.get_text()]
         assert texts
         for text in texts:
-            assert text.get_fontsize() * style.DPI / 72.0 * scale >= 11.0 - 1e-6, text.get_text()
+            assert text.get_fontsize() * figure.dpi / 72.0 * scale >= 11.0 - 1e-6, text.get_text()
             place = text.get_window_extent()
             assert place.x0 >= -1.0, text.get_text()
             assert place.x1 <= figure.bbox.x1 + 1.0, text.get_text()

@@ -10,7 +10,7 @@ import numpy as np
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
 from skylight_sh.report import choice, origins, savings, titles
-from skylight_sh.report.amounts import count, percent
+from skylight_sh.report.amounts import count, percent, plain
 from skylight_sh.report.cells import Cell, fraction, number, text
 from skylight_sh.report.figures import PICTURES
 from skylight_sh.report.report_data import Entry, ReportData
@@ -141,7 +141,7 @@ def _references(data: ReportData) -> list[dict[str, Any]]:
             "numbers": text(str(table.dtype)),
             "condition number": text("not told")
             if entry.condition is None
-            else Cell(f"{entry.condition:.2g}", entry.condition),
+            else Cell(f"{entry.condition:.2g}".replace("e+", "e"), entry.condition),
             "worst at": text(data.describe(entry.worst)),
         }
         found.append({"name": entry.name, "noisy": _is_noise(data, entry), "cells": cells})
@@ -163,8 +163,8 @@ def _facts(data: ReportData) -> dict[str, str]:
         "Stored orders": "m >= 0 (the light is mirror-symmetric about the sun's azimuth)"
         if data.harmonics.mirrored
         else "all",
-        "Condition number of the fit": f"{data.condition:.3g}",
-        "Least luminance over all sets": f"{data.least.min():.5g} cd/m²",
+        "Condition number of the fit": f"{data.condition:.3g}".replace("e+", "e"),
+        "Least luminance over all sets": f"{plain(float(data.least.min()), 5)} {titles.unit(data.settings)}",
     }
 
 

@@ -17,6 +17,7 @@ Array = NDArray[np.float64]
 
 # Inches: the whole width, between pictures, and around them.
 _WIDTH, _GAP, _EDGE = 11.6, 0.1, 0.06
+_DPI = 110
 # A line's height over its letters'.
 _LEADING = 1.45
 _BRUTE = {"paths": "brute force", "integrated": "brute force"}
@@ -43,7 +44,7 @@ def draw(rows: Sequence[Row]) -> Figure:
         height + (line if above else _GAP) + (line if row.below else 0.0)
         for row, height, above in zip(rows, heights, titled, strict=True)
     )
-    figure = Figure(figsize=(_WIDTH, whole), dpi=style.DPI)
+    figure = Figure(figsize=(_WIDTH, whole), dpi=_DPI)
     top = whole - _EDGE
     for row, height, above in zip(rows, heights, titled, strict=True):
         width = _shape(row)[0]

@@ -10,7 +10,8 @@ from matplotlib.axes import Axes
 from matplotlib.axis import Axis
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
-from matplotlib.ticker import FuncFormatter, NullLocator
+from matplotlib.text import Text
+from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullLocator
 from numpy.typing import NDArray
 from PIL import Image
 
@@ -31,8 +32,13 @@ SERIES = (BLUE, RED, GREEN, PURPLE, ORANGE, SKY, BLACK)
 MARKERS = ("o", "s", "^", "D", "v", "P", "X")
 ERROR_MAP = "viridis"
 SIGNED_MAP = "PuOr"
-# Pictures have two by two pixels for each that a page shows.
-DPI = 220
+# Inches of a page's column, and pixels of a picture that wide: two by two for each that is shown.
+WIDTH = 5.0
+_PIXELS = 1100.0
+# How far off a colour may be of 255, and of what share of the pixels it may be further.
+_SEEN, _FEW = 15, 1e-3
+# The least width in pixels at which letters are to be legible, and how high they then are.
+_PHONE, _LETTERS = 360.0, 11.0
 
 
 def figure(width: float, height: float) -> Figure:
@@ -40,7 +46,26 @@ def figure(width: float, height: float) -> Figure:
 
     To search for such a layout takes as long as to draw the figure; ``panels`` are placed by what is known of them.
     """
-    return Figure(figsize=(width, height), dpi=DPI, layout="constrained")
+    return Figure(figsize=(width, height), dpi=_PIXELS / width, layout="constrained")
+
+
+def look(place: int, *, fewer: bool = False) -> dict[str, Any]:
+    """Return how the series at ``place`` is drawn: colour, marker, and beyond seven of them open marks and dashes.
+
+    ``fewer`` leaves out most markers where points are many.
+
+    >>> look(0)["color"] == look(7)["color"], look(0)["marker"] == look(7)["marker"]
+    (True, False)
+    """
+    again = place // len(SERIES)
+    return {
+        "color": SERIES[place % len(SERIES)],
+        "marker": MARKERS[(place + 3 * again) % len(MARKERS)],
+        "markerfacecolor": "white" if again % 2 else None,
+        "linestyle": "--" if again % 2 else "-",
+        "markersize": 6,
+        "markevery": 9 if fewer else 1,
+    }
 
 
 def panels(
@@ -64,7 +89,7 @@ def panels(
     >>> [float(axis.get_position().x0) for axis in axes[0]]
     [0.125, 0.625]
     """
-    made = Figure(figsize=(width, height), dpi=DPI)
+    made = Figure(figsize=(width, height), dpi=_PIXELS / width)
     across = (width - left - right - (columns - 1) * gap[0]) / columns
     down = (height - bottom - top - (rows - 1) * gap[1]) / rows
     edges = {"left": left / width, "right": 1.0 - right / width, "bottom": bottom / height, "top": 1.0 - top / height}
@@ -83,25 +108,56 @@ def decades(axis: Axis) -> None:
     axis.set_minor_locator(NullLocator())
 
 
+def steps(axis: Axis) -> None:
+    """Mark a logarithmic axis so that long labels do not collide: its decades, and between few of them 2 and 5 too."""
+    low, high = sorted(axis.get_view_interval())
+    decades = float(np.log10(high / low))
+    if decades < 0.9:
+        axis.set_major_locator(MaxNLocator(4))
+        axis.set_minor_locator(NullLocator())
+        return
+    subs = (1.0, 2.0, 5.0) if decades < 1.6 else (1.0, 3.0) if decades < 2.2 else (1.0,)
+    axis.set_major_locator(LogLocator(subs=subs, numticks=8))
+    axis.set_minor_locator(NullLocator())
+
+
 def legible(width: float) -> float:
     """Return the least size of letters, in points, that a figure ``width`` inches wide has: 11 pixels when 360 are shown.
 
     >>> legible(10.0)
     22.0
     """
-    return 11.0 * width * 72.0 / 360.0
+    return _LETTERS * width * 72.0 / _PHONE
 
 
 def png(drawn: Figure) -> bytes:
-    """Return a figure's bytes; equal figures give equal bytes."""
+    """Return a figure's bytes, no letters of it smaller than legible; equal figures give equal bytes."""
+    least = legible(float(drawn.get_size_inches()[0]))
+    for text in drawn.findobj(Text):
+        if float(text.get_fontsize()) < least:
+            text.set_fontsize(least)
     # Not by savefig, which goes through all of a figure twice.
     canvas: Any = FigureCanvasAgg(drawn)
     canvas.draw()
     out = io.BytesIO()
     opaque = np.ascontiguousarray(np.asarray(canvas.buffer_rgba())[..., :3])
     # A few per cent larger than at the usual level, in two thirds of its time.
-    Image.fromarray(opaque).save(out, "png", dpi=(DPI, DPI), compress_level=4)
+    _fewer_colours(Image.fromarray(opaque)).save(out, "png", dpi=(drawn.dpi, drawn.dpi), compress_level=4)
     return out.getvalue()
+
+
+def _fewer_colours(image: Image.Image) -> Image.Image:
+    """Return lines and letters in 256 colours, which takes a third of the bytes; an image of gradients as it is."""
+    palette = image.quantize(256, method=Image.Quantize.FASTOCTREE, dither=Image.Dither.NONE)
+    paper = np.asarray(image).min(axis=-1) == 255
+    if paper.any():
+        # White stays white.
+        place = int(np.asarray(palette)[paper][0])
+        colours = palette.getpalette() or []
+        colours[3 * place : 3 * place + 3] = [255] * 3
+        palette.putpalette(colours)
+    off = np.abs(np.asarray(palette.convert("RGB"), dtype=np.int16) - np.asarray(image, dtype=np.int16)).max(axis=-1)
+    return palette if np.count_nonzero(off > _SEEN) <= _FEW * off.size else image
 
 
 def shown(drawn: Figure) -> tuple[int, int]:
@@ -111,9 +167,14 @@ def shown(drawn: Figure) -> tuple[int, int]:
 
 
 # Pictures label with it too.
-percent = amounts.percent
+percent, plain = amounts.percent, amounts.plain
 
 
 def percent_ticks() -> FuncFormatter:
     """Return a formatter for axes of fractions, labelled in per cent."""
     return FuncFormatter(lambda value, _: percent(float(value)))
+
+
+def plain_ticks() -> FuncFormatter:
+    """Return a formatter for axes of numbers, without exponents."""
+    return FuncFormatter(lambda value, _: plain(float(value)))

@@ -25,10 +25,18 @@ def title(light: str, settings: Mapping[str, Any]) -> str:
 
 def quantity(settings: Mapping[str, Any]) -> str:
     """Return what the weights are of, and its unit."""
-    light, told = settings["light"], str(settings["scene"]["quantity"])
-    if light["model"] in _RELATIVE or light.get("quantity") == "relative":
-        return f"{told} in units of the zenith"
-    return _QUANTITIES[told]
+    told = str(settings["scene"]["quantity"])
+    return f"{told} in units of the zenith" if _is_relative(settings) else _QUANTITIES[told]
+
+
+def unit(settings: Mapping[str, Any]) -> str:
+    """Return the unit of the light's luminance."""
+    return "of the zenith's" if _is_relative(settings) else "cd/m²"
+
+
+def _is_relative(settings: Mapping[str, Any]) -> bool:
+    light = settings["light"]
+    return light["model"] in _RELATIVE or light.get("quantity") == "relative"
 
 
 def surroundings(settings: Mapping[str, Any]) -> list[str]:

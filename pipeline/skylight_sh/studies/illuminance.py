@@ -5,13 +5,13 @@ from __future__ import annotations
 import numpy as np
 
 from skylight_sh.scene import clear_day
+from skylight_sh.studies import outcomes
 from skylight_sh.studies.page import Row, Section
 
 TEXT = (
     "Illuminance in lux on the horizontal: the Preetham sky, its sun's disc, and both, beside IES RP-21 (1984) for a clear "
-    "day, a regression over measurements without turbidity. Where both agree, two errors cancel: the sky alone is about "
-    "twice as bright, its sun dimmer; on the horizon the sky is 8 to 19 times too bright. Above the atmosphere the sun "
-    f"gives {clear_day.SOLAR:,.0f} lx."
+    "day, a regression over measurements without turbidity. Where sky and sun differ and their sum does not, two errors "
+    f"cancel. Above the atmosphere the sun gives {clear_day.SOLAR:,.0f} lx."
 )
 _HEIGHTS = (0, 5, 15, 30, 50, 70, 90)
 _TURBIDITIES = (2.0, 2.5, 3.0, 4.0)
@@ -25,7 +25,8 @@ def section() -> Section:
     for tau in _TURBIDITIES:
         found = clear_day.clear_day(theta, tau)
         rows += [_row(height, f"{tau:g}", *parts) for height, *parts in zip(_HEIGHTS, *found, strict=True)]
-    return Section("daylight", "A clear day in lux", TEXT, sorted(rows, key=lambda row: int(str(row["sun's height"]))))
+    rows = sorted(rows, key=lambda row: int(str(row["sun's height"])))
+    return Section("daylight", "A clear day in lux", TEXT, rows, told=outcomes.daylight(rows))
 
 
 def _row(height: int, turbidity: str, sky: float, disc: float) -> Row:

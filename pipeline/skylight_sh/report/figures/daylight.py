@@ -13,13 +13,14 @@ from skylight_sh.report.report_data import ReportData
 from skylight_sh.scene import clear_day
 from skylight_sh.table import twilight
 
+SEE = "Where a coloured curve stands above the dotted one, the model is brighter than what was measured."
 CAPTION = (
     "Illuminance on the horizontal over the sun's height, at the least, a middle and the largest turbidity: the Preetham "
     "sky (published constants), its sun's disc behind the air of the same turbidity, and both. Dotted: IES RP-21 (1984) "
     f"for a clear day, a regression over measurements; dashed: the sun's {clear_day.SOLAR / 1000:g} klx above the "
     "atmosphere, which no clear day can exceed. The sky alone is about twice as bright as published, its sun dimmer: with "
     "a high sun the two errors cancel in the sum, near the horizon they do not. With twilight: the light on the horizontal "
-    "as the sun sinks, beside measurements without a moon (Seidelmann 1992)."
+    "as the sun sinks, beside measurements without a moon (dotted, Seidelmann 1992)."
 )
 
 
@@ -34,27 +35,33 @@ def draw(data: ReportData) -> Figure | None:
     theta = np.radians(np.linspace(0.0, 90.0, 46))
     height = 90.0 - np.degrees(theta)
     sinks = data.best.table.spec.twilight
-    figure, placed = style.panels(16 if sinks else 12, 4.2, columns=4 if sinks else 3, gap=(0.65, 0.0))
-    panels = placed[0]
+    figure = style.figure(style.WIDTH, 6.6)
+    placed = figure.subplot_mosaic([["sky", "sun"], ["both", "twilight" if sinks else "both"]])
     wanted = sorted({low, (low + high) / 2, high})
     found = {tau: clear_day.clear_day(theta, tau) for tau in wanted}
     published = clear_day.published(theta)
-    for panel, title, parts in zip(panels, ("sky", "sun", "sky and sun"), ((0,), (1,), (0, 1)), strict=False):
-        for tau, color, marker in zip(wanted, style.SERIES, style.MARKERS, strict=False):
-            look = {"color": color, "marker": marker, "markevery": 9, "markersize": 5}
-            panel.plot(height, sum(found[tau][i] for i in parts) / 1000, label=f"turbidity {tau:g}", **look)
-        panel.plot(height, sum(published[i] for i in parts) / 1000, color=style.BLACK, linestyle=":", label="IES RP-21")
-        panel.set_title(title, fontsize=10)
-        panel.set_xlabel("sun's height (degrees)")
-    panels[0].set_ylabel("illuminance (klx)")
-    panels[0].legend(fontsize=8)
-    top = max(panel.get_ylim()[1] for panel in panels[:3])
-    for panel in panels[:3]:
-        panel.set_ylim(0.0, top)
-    panels[2].plot(height, clear_day.SOLAR / 1000 * np.cos(theta), color="grey", linestyle="--", label="above the air")
-    panels[2].legend(fontsize=8)
+    parts = {"sky": (0,), "sun": (1,), "both": (0, 1)}
+    for key, title in (("sky", "sky"), ("sun", "sun"), ("both", "sky and sun")):
+        panel = placed[key]
+        for i, tau in enumerate(wanted):
+            shown = sum(found[tau][part] for part in parts[key]) / 1000
+            panel.plot(height, shown, label=f"turbidity {tau:g}", **style.look(i, fewer=True))
+        measured = sum(published[part] for part in parts[key]) / 1000
+        panel.plot(height, measured, color=style.BLACK, linestyle=":", label="IES RP-21 (dotted)")
+        panel.set_title(f"{title} (klx)", fontsize=11)
+        panel.set_xlabel("sun's height (°)")
+        panel.set_xticks([0, 45, 90])
+    placed["both"].plot(
+        height, clear_day.SOLAR / 1000 * np.cos(theta), color="grey", linestyle="--", label="sun above the air"
+    )
+    top = max(placed[key].get_ylim()[1] for key in parts)
+    for key in parts:
+        placed[key].set_ylim(0.0, top)
     if sinks:
-        _fade(panels[3], {tau: float(parts[0][height == 0.0][0]) for tau, parts in found.items()})
+        _fade(placed["twilight"], {tau: float(lit[0][height == 0.0][0]) for tau, lit in found.items()})
+    figure.legend(
+        *placed["both"].get_legend_handles_labels(), loc="outside lower center", ncols=2, fontsize=11, frameon=False
+    )
     return figure
 
 
@@ -70,14 +77,17 @@ def faded(lux: float, depth: NDArray[np.float64]) -> NDArray[np.float64]:
 def _fade(panel: Axes, sunset: dict[float, float]) -> None:
     """Draw lux against the sun's depth, from those at sunset for each turbidity."""
     depth = np.radians(np.linspace(0.0, 12.0, 121))
-    for (tau, lux), color in zip(sunset.items(), style.SERIES, strict=False):
-        panel.semilogy(np.degrees(depth), faded(lux, depth), color=color, label=f"turbidity {tau:g}")
-    panel.semilogy(np.degrees(depth), clear_day.twilight(depth), color=style.BLACK, linestyle=":", label="measured")
+    for i, lux in enumerate(sunset.values()):
+        look = {**style.look(i), "markevery": 20}
+        panel.semilogy(np.degrees(depth), faded(lux, depth), **look)
+    panel.semilogy(np.degrees(depth), clear_day.twilight(depth), color=style.BLACK, linestyle=":")
     panel.set_ylim(1e-3, 3e4)
-    panel.set_title("twilight", fontsize=10)
-    panel.set_xlabel("sun's depth (degrees)")
-    panel.set_ylabel("illuminance (lx)")
-    panel.legend(fontsize=8)
+    panel.set_title("twilight (lx)", fontsize=11)
+    panel.set_xlabel("sun's depth (°)")
+    panel.set_xticks([0, 6, 12])
+    panel.yaxis.set_major_formatter(style.plain_ticks())
+    panel.set_yticks([1e-3, 1e-1, 1e1, 1e3])
+    style.decades(panel.yaxis)
 
 
-PICTURE = Picture("A clear day in lux", CAPTION, draw)
+PICTURE = Picture("A clear day in lux", CAPTION, draw, see=SEE)

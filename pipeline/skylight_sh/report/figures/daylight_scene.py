@@ -8,6 +8,7 @@ from skylight_sh.report import panels
 from skylight_sh.report.figures.picture import Picture
 from skylight_sh.report.report_data import ReportData
 
+SEE = "Compare each picture with the last of its block, which is brute force: more bands sharpen shadows."
 CAPTION = (
     "Figures 1 and 5 of Habel, Mustata and Wimmer 2008 show a scene lit by five SH bands, by day and at sunset, with "
     "directional sunlight, soft shadows and Reinhard's tone mapper, and no other picture to hold it against. Here is a "
@@ -35,4 +36,5 @@ PICTURE = Picture(
     CAPTION,
     draw,
     panels.numbers("daylight_scene", "courtyard", ("day", "sunset")),
+    see=SEE,
 )

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import textwrap
+
 import numpy as np
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
@@ -21,12 +23,14 @@ _BLUR = 20.0
 _LAMP = np.array([0.0, np.sqrt(0.5), np.sqrt(0.5)])
 _LAMP_COSINE = np.cos(np.radians(3.0))
 _LAMP_BRIGHTNESS = 100.0
+SEE = "Red is negative light: the nearer a curve stays to zero, the less a captured sky rings."
 CAPTION = (
     f"The sky at the middle of all ranges and a lamp of 6 degrees, {_LAMP_BRIGHTNESS:g} times as bright as what a fiftieth "
     f"of the sky exceeds, as a panorama of {2 * _ROWS} x {_ROWS} texels and back: floats; 8 bits of sRGB, decoded, exposed "
     "for that brightness; the same taken as linear, which lifts the darks and is no radiance any more; and the floats "
     f"behind a Gaussian of {_BLUR:g} degrees. Undershoot: the most negative luminance over the largest of the same "
-    "expansion, since what is the picture's own brightest value depends on how it was stored."
+    "expansion, since what is the picture's own brightest value depends on how it was stored. Pictures: "
+    f"{_SHOWN} bands, azimuth across, altitude up."
 )
 
 
@@ -34,9 +38,10 @@ def draw(data: ReportData) -> Figure:
     """Draw undershoot over bands, and the four expansions."""
     pictures = _pictures(data)
     row = data.light.luminance_row
-    ratios = (1.5, *(1.0,) * len(pictures))
-    figure, placed = style.panels(17, 3.2, columns=len(ratios), left=1.0, top=0.45, gap=(0.55, 0.0), width_ratios=ratios)
-    curves, *panels = placed[0]
+    figure = style.figure(style.WIDTH, 8.6)
+    curves, *panels = figure.subplot_mosaic(
+        [["curves", "curves"], ["0", "1"], ["2", "3"]], height_ratios=(2.2, 1.0, 1.0)
+    ).values()
     for k, (name, (pixels, sigma)) in enumerate(pictures.items()):
         weights = probe.blur(probe.project(pixels, "equirect", _BANDS[-1]), sigma)
         lows = []
@@ -48,17 +53,16 @@ def draw(data: ReportData) -> Figure:
                 shown = panorama.display(panorama.expansion(weights[:, : bands * bands]), white)
                 # What is negative is red, since black would hide it.
                 shown[seen < 0.0] = (0.8, 0.1, 0.1)
-                panels[k].imshow(shown, extent=panorama.EXTENT, aspect="equal", interpolation="nearest")
-        curves.plot(_BANDS, lows, label=name, color=style.SERIES[k], marker=style.MARKERS[k], markersize=4)
-        panels[k].set_title(f"{name}\n{_SHOWN} bands, red below 0", fontsize=8)
-        panels[k].tick_params(labelsize=7)
-        panels[k].set_xlabel("azimuth (degrees)", fontsize=8)
-    panels[0].set_ylabel("altitude (degrees)", fontsize=8)
+                panels[k].imshow(shown, extent=panorama.EXTENT, aspect="auto", interpolation="nearest")
+        curves.plot(_BANDS, lows, label=name, **style.look(k))
+        panels[k].set_title("\n".join(textwrap.wrap(name, 22)), fontsize=11)
+        panels[k].set_xticks([])
+        panels[k].set_yticks([])
     curves.yaxis.set_major_formatter(style.percent_ticks())
     curves.axhline(0.0, color="grey", linewidth=0.6)
     curves.set_xlabel("bands")
-    curves.set_ylabel("undershoot (of the largest\nof the same expansion)", fontsize=8)
-    curves.legend(fontsize=7)
+    curves.set_title("undershoot, of the expansion's largest value", fontsize=11)
+    curves.legend(fontsize=11, loc="upper center", bbox_to_anchor=(0.45, -0.18), frameon=False)
     return figure
 
 
@@ -83,4 +87,4 @@ def _pictures(data: ReportData) -> dict[str, tuple[Array, float]]:
     }
 
 
-PICTURE = Picture("Ringing of captured light", CAPTION, draw)
+PICTURE = Picture("Ringing of captured light", CAPTION, draw, see=SEE)

@@ -16,6 +16,7 @@ from skylight_sh.report.report_data import ReportData
 Array = NDArray[np.float64]
 
 _WIDTH = 8.0
+SEE = "The longest bars are what to improve first; each grid line to the right is ten times the error."
 CAPTION = (
     "Where the error of a lit picture comes from: relative RMSE of linear light over all that is seen of the courtyard, "
     "for suns of three heights, on a logarithmic scale. The tables: weights from the recommended and from the smallest "
@@ -65,4 +66,4 @@ def bars(names: Sequence[str], errors: Mapping[str, Array]) -> Figure:
     return figure
 
 
-PICTURE = Picture("Where a picture's error comes from", CAPTION, draw)
+PICTURE = Picture("Where a picture's error comes from", CAPTION, draw, see=SEE)

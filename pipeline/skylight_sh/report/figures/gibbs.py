@@ -3,19 +3,25 @@
 from __future__ import annotations
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.colors import SymLogNorm
-from matplotlib.figure import Figure, SubFigure
+from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
 from skylight_sh.report import panorama, ringing, style
 from skylight_sh.report.figures.picture import Picture
 from skylight_sh.report.report_data import ReportData
-from skylight_sh.report.ringing import GROUNDS, LEAST, Ringing, Study, tried
+from skylight_sh.report.ringing import ALBEDO, GROUNDS, LEAST, Ringing, Study, tried
 
 Array = NDArray[np.float64]
 
-_TICKS = (-1.0, -0.3, -0.1, -0.03, 0.0, 0.03, 0.1, 0.3, 1.0)
+_TICKS = (-1.0, -0.1, 0.0, 0.1, 1.0)
 _SHOWN = ("no window", "zonal sinc (eq. 5)", LEAST)
+# The same, and the grounds, in few letters.
+_HEADS = ("no window", "zonal sinc", "least window")
+_SHORT = ("black", f"albedo {ALBEDO:g}", "mirrored")
+SEE = "A window is good where undershoot is gone and the brightest value still is the sky's: look for both in one curve."
 CAPTION = (
     "True luminance expansions cut to so many bands, at evenly spaced sets of parameters, edges included. All values are "
     "shares of the same sky's own brightest value. First row: the most negative value of any set and direction; second: "
@@ -32,70 +38,84 @@ def draw(data: ReportData) -> Figure | None:
     study = data.ringing
     if study is None:
         return None
-    figure = style.figure(12, 15.5)
-    # So many panels take a second to be laid out by constraint.
-    figure.set_layout_engine("none")
-    grid = figure.add_gridspec(2, 1, height_ratios=(2, 1))
-    above, below = figure.add_subfigure(grid[0]), figure.add_subfigure(grid[1])
-    _curves(above, study.found)
-    figure.text(0.01, 0.995, f"{len(study.sets)} sets of parameters", fontsize=8, va="top")
+    names = study.found.windows
+    legend = 0.235 * (len(names) + 1)
+    curves, pictures = 4 * 1.75 + 0.35, 0.55 + len(GROUNDS) * 1.5
+    height = legend + curves + pictures + 1.2
+    figure, placed = style.panels(style.WIDTH, height, left=0.0, right=0.0, bottom=0.0, top=0.0)
+    figure.delaxes(placed[0, 0])
+    first = _curves(figure, study.found, height - legend)
+    heading = f"{len(study.sets)} sets of parameters"
+    figure.legend(
+        *first.get_legend_handles_labels(), loc="upper left", fontsize=11, frameon=False, title=heading, alignment="left"
+    )
     bands = study.found.bands
-    shown = min(max(data.best.table.bands, bands[0]), bands[-1])
-    below.suptitle(f"{shown} bands", fontsize=10)
-    _panoramas(below, study, data, shown)
+    _panoramas(figure, study, min(max(data.best.table.bands, bands[0]), bands[-1]), pictures + 0.75)
     return figure
 
 
-def _curves(figure: SubFigure, found: Ringing) -> None:
-    room = {"left": 0.085, "right": 0.99, "top": 0.965, "bottom": 0.05, "wspace": 0.04, "hspace": 0.06}
+# Inches: what stands left of the panels, and their width and gap.
+_LEFT, _ACROSS, _GAP = 0.72, 1.33, 0.08
+
+
+def _curves(figure: Figure, found: Ringing, top: float) -> Axes:
+    """Draw a row a measure and a column a ground below ``top``, in inches; return the first panel."""
     measures = (
-        (found.undershoot, "largest undershoot (of the\nsky's own brightest value)"),
-        (found.area, "largest negative part\nof the sphere"),
-        (found.overshoot, "largest overshoot (of the\nsky's own brightest value)"),
-        (found.peak, "brightest value\nagainst the sky's"),
+        (found.undershoot, "largest undershoot, of the sky's own brightest"),
+        (found.area, "largest negative part of the sphere"),
+        (found.overshoot, "largest overshoot, of the sky's own brightest"),
+        (found.peak, "brightest value against the sky's own"),
     )
-    panels = figure.subplots(len(measures), len(GROUNDS), sharex=True, sharey="row", gridspec_kw=room)
-    for k, (line, (values, label)) in enumerate(zip(panels, measures, strict=True)):
-        for g, (panel, ground) in enumerate(zip(line, GROUNDS, strict=True)):
+    first: Axes | None = None
+    for k, (values, label) in enumerate(measures):
+        bottom = top - (k + 1) * 1.75 + 0.12
+        ends = min(0.0, float(values.min())), max(0.0, float(values.max()))
+        room = 0.05 * (ends[1] - ends[0])
+        for g in range(len(GROUNDS)):
+            panel = style.bar(figure, _LEFT + g * (_ACROSS + _GAP), bottom, _ACROSS, 1.2)
+            first = first or panel
             for w, window in enumerate(found.windows):
-                look = {"color": style.SERIES[w], "marker": style.MARKERS[w], "markersize": 4}
-                panel.plot(found.bands, values[g, w], label=window, **look)
+                panel.plot(found.bands, values[g, w], label=window, **{**style.look(w), "markersize": 4})
             panel.axhline(0.0, color="grey", linewidth=0.6)
+            panel.set_ylim(ends[0] - room, ends[1] + room)
+            panel.yaxis.set_major_locator(MaxNLocator(4))
             panel.yaxis.set_major_formatter(style.percent_ticks())
-            if k == 0:
-                panel.set_title(ground, fontsize=10)
+            panel.set_xticks([4, 7, 10])
+            panel.tick_params(labelleft=g == 0, labelbottom=k == len(measures) - 1)
             if k == len(measures) - 1:
-                panel.set_xlabel("bands")
-        line[0].set_ylabel(label)
-    panels[0, -1].legend(fontsize=8)
+                panel.set_xlabel(f"bands,\n{_SHORT[g]}")
+        height = float(figure.get_size_inches()[1])
+        figure.text(0.1 / style.WIDTH, (bottom + 1.25) / height, label, fontsize=11, va="bottom")
+    if first is None:
+        raise ValueError("There is nothing to draw.")
+    return first
 
 
-def _panoramas(figure: SubFigure, study: Study, data: ReportData, bands: int) -> None:
-    room = {"left": 0.06, "right": 0.88, "top": 0.88, "bottom": 0.1, "wspace": 0.06, "hspace": 0.32}
-    panels = figure.subplots(len(GROUNDS), 3, sharex=True, sharey=True, gridspec_kw=room)
+def _panoramas(figure: Figure, study: Study, bands: int, top: float) -> None:
+    """Draw a row a ground and a column a window below ``top``, in inches, and the scale at the figure's foot."""
+    height = float(figure.get_size_inches()[1])
     scale = SymLogNorm(0.03, vmin=-1.0, vmax=1.0)
     found = study.found
     b, cut = found.bands.index(bands), bands * bands
-    for g, (line, (ground, light)) in enumerate(zip(panels, GROUNDS.items(), strict=True)):
+    figure.text(0.1 / style.WIDTH, top / height, f"{bands} bands; lowest value of each", fontsize=11, va="top")
+    for g, light in enumerate(GROUNDS.values()):
         lit = light.weights(study.weights[:, :cut], bands)
         factors = tried(found, g, b)
-        for panel, window in zip(line, _SHOWN, strict=True):
+        bottom = top - 0.55 - (g + 1) * 1.5 + 0.25
+        for w, window in enumerate(_SHOWN):
             at = int(found.worst[g, found.windows.index(window), b])
             picture = panorama.expansion((lit[at] * factors[window])[np.newaxis])[..., 0] / study.brightest[at]
+            panel = style.bar(figure, 0.35 + w * (1.47 + _GAP), bottom, 1.47, 0.98)
             image = panel.imshow(picture, extent=panorama.EXTENT, aspect="auto", cmap="PuOr_r", norm=scale)
-            low = 100 * min(float(picture.min()), 0.0)
-            place = data.describe(study.sets[at])
-            panel.set_title(f"{ground}, {window}: lowest {low:.1f} %\n{place}", fontsize=7, parse_math=False)
-        line[0].set_ylabel("altitude (°)")
-    for panel in panels[-1]:
-        panel.set_xlabel("azimuth from the sun (degrees)")
-    figure.colorbar(
-        image,
-        cax=figure.add_axes((0.9, 0.1, 0.015, 0.78)),
-        label="share of the sky's own brightest value",
-        ticks=_TICKS,
-        format=style.percent_ticks(),
-    )
+            low = style.percent(min(float(f"{picture.min():.2g}"), 0.0))
+            panel.set_title(f"{_HEADS[w]}\n{low}" if g == 0 else low, fontsize=11, pad=3)
+            panel.set_xticks([])
+            panel.set_yticks([])
+            if w == 0:
+                panel.set_ylabel(_SHORT[g], fontsize=11)
+    cax = style.bar(figure, 0.5, 0.55, style.WIDTH - 1.0, 0.15)
+    label = "share of the sky's own brightest"
+    figure.colorbar(image, cax=cax, orientation="horizontal", label=label, ticks=_TICKS, format=style.percent_ticks())
 
 
 def files(data: ReportData) -> dict[str, bytes]:
@@ -104,4 +124,4 @@ def files(data: ReportData) -> dict[str, bytes]:
     return {"ringing.csv": ringing.csv(study, [axis.name for axis in data.axes])} if study else {}
 
 
-PICTURE = Picture("Ringing: every window, every ground", CAPTION, draw, files)
+PICTURE = Picture("Ringing: every window, every ground", CAPTION, draw, files, SEE)

@@ -9,6 +9,7 @@ from skylight_sh.report.figures.picture import Picture
 from skylight_sh.report.report_data import ReportData
 
 _NAMES = ("unshadowed", "shadowed", "interreflected")
+SEE = "Left five bands, right brute force: they should look alike, and bounces are what fills the shade."
 CAPTION = (
     "Green 2003 renders one model by diffuse unshadowed, shadowed and interreflected transfer of 25 coefficients, five "
     "bands (figures 11, 13 and 15), below a light of his own. Here is the same row under this run's sky, the sun 10 "
@@ -30,5 +31,5 @@ def draw(data: ReportData) -> Figure | None:
 
 
 PICTURE = Picture(
-    "Unshadowed, shadowed, interreflected", CAPTION, draw, panels.numbers("interreflection", "courtyard", _NAMES)
+    "Unshadowed, shadowed, interreflected", CAPTION, draw, panels.numbers("interreflection", "courtyard", _NAMES), see=SEE
 )

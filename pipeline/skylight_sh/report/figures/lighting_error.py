@@ -23,6 +23,7 @@ PROMISED, ALSO, LOST, PICTURE_LOST, BANDS = (
     "picture",
     "irradiance, bands",
 )
+SEE = "A circle left of its bar loses less light on surfaces than is promised; squares are what the number of bands costs."
 CAPTION = (
     "What is promised and what is lost, largest values over sets that neither fit nor selection saw. E_mean and E_max "
     "(the paper's eqs. 3 and 2) are errors of all weights over the least luminance of the same sky. Irradiance is what a "
@@ -77,4 +78,4 @@ def lines(names: Sequence[str], columns: Mapping[str, Sequence[float]]) -> Figur
     return figure
 
 
-PICTURE = Picture("What is promised, and what is lost", CAPTION, draw)
+PICTURE = Picture("What is promised, and what is lost", CAPTION, draw, see=SEE)

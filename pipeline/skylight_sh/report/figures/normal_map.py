@@ -8,6 +8,7 @@ from skylight_sh.report import panels
 from skylight_sh.report.figures.picture import Picture
 from skylight_sh.report.report_data import ReportData
 
+SEE = "Bricks should stand out as on the last picture, where every normal has rays of its own."
 CAPTION = (
     "The tutorial bakes irradiance as a function of the normal, two SH bands a texel in Frostbite's packed form, so that "
     "light in the shade still shows a normal map. Here is a piece of the courtyard's western wall in the morning's "
@@ -26,4 +27,4 @@ def draw(data: ReportData) -> Figure | None:
     return panels.draw([panels.Row((two, three)), panels.Row((seven, exact), panels.fewer(found, "wall"))])
 
 
-PICTURE = Picture("A wall with a normal map", CAPTION, draw, panels.numbers("normal_map", "relief", ("wall",)))
+PICTURE = Picture("A wall with a normal map", CAPTION, draw, panels.numbers("normal_map", "relief", ("wall",)), see=SEE)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import textwrap
 from collections.abc import Sequence
 
 import numpy as np
@@ -17,6 +18,8 @@ from skylight_sh.runtime import Surroundings
 Array = NDArray[np.float64]
 
 _AZIMUTHS = (0.0, 120.0, 240.0)
+_TITLES = ("the sky", "an even light,\nwhat is hidden", "the scene")
+SEE = "The sun turns from row to row; what stands about the receiver, in the middle, does not."
 CAPTION = (
     "Surroundings, which stand still while the sun turns, in the bands of the recommended table: the sky alone, what an "
     "even light would look like through what hides the sky (an occluder's shadow is everything but a cap), and the whole "
@@ -42,30 +45,32 @@ def draw(data: ReportData) -> Figure | None:
     hidden = _picture(Surroundings(around.transfer).apply(even, table.bands))
     row = data.light.luminance_row
     azimuths = _AZIMUTHS if table.spec.azimuth is None else (float(np.degrees(table.spec.azimuth)),)
-    rows = len(azimuths)
-    figure, panels = style.panels(
-        12, 2.3 * rows + 0.7, rows, 3, bottom=0.45, top=0.75, gap=(0.15, 0.12), sharex=True, sharey=True
-    )
-    for line, azimuth in zip(panels, azimuths, strict=True):
+    told = [f"{data.best.name}, {data.describe(values)}", *_truncation(data, values, azimuths)]
+    heading = [line for text in told for line in textwrap.wrap(text, 46)]
+    each, top = 1.35, 0.2 * len(heading) + 0.65
+    height = top + each * len(azimuths) + 0.05
+    figure, placed = style.panels(style.WIDTH, height, left=0.0, right=0.0, bottom=0.0, top=0.0)
+    figure.delaxes(placed[0, 0])
+    figure.text(0.5, 1.0 - 0.05 / height, "\n".join(heading), fontsize=11, va="top", ha="center")
+    for place, azimuth in enumerate(azimuths):
         turned = sphere.rotate_azimuth(still, np.radians(azimuth))
         sky, scene = _picture(turned), _picture(around.apply(turned, table.bands))
         white = panorama.white(sky @ row)
         pictures = (panorama.display(sky, white), panorama.display(hidden, 1.0), panorama.display(scene, white))
-        for panel, picture in zip(line, pictures, strict=True):
+        for column, (picture, title) in enumerate(zip(pictures, _TITLES, strict=True)):
+            bottom = height - top - (place + 1) * each + 0.35
+            panel = style.bar(figure, 0.35 + column * 1.55, bottom, 1.47, each - 0.38)
             # Azimuth rises to the left, as seen from inside.
             panel.imshow(picture[:, ::-1], extent=(180, -180, -90, 90), aspect="auto", interpolation="nearest")
-            panel.tick_params(labelsize=7)
-        if data.light.hints.peak_axis:
-            height = 90.0 - float(np.degrees(values[[a.name for a in data.axes].index(data.light.hints.peak_axis)]))
-            for panel in line[::2]:
-                panel.plot((azimuth + 180.0) % 360.0 - 180.0, height, "+", color=style.RED, markersize=9)
-        line[0].set_ylabel(f"sun at {azimuth:g}°\naltitude (degrees)", fontsize=8)
-    for panel, title in zip(panels[0], ("the sky", "what is seen of an even light", "the scene"), strict=True):
-        panel.set_title(title, fontsize=10)
-    for panel in panels[-1]:
-        panel.set_xlabel("azimuth, from east towards north (degrees)", fontsize=8)
-    heading = f"{data.best.name}, {data.describe(values)}"
-    figure.suptitle("\n".join([heading, *_truncation(data, values, azimuths)]), fontsize=10)
+            panel.set_xticks([])
+            panel.set_yticks([])
+            if place == 0:
+                panel.set_title(title, fontsize=11, pad=3)
+            if column == 0:
+                panel.set_ylabel(f"sun at {azimuth:g}°", fontsize=11)
+            if column != 1 and data.light.hints.peak_axis:
+                at = 90.0 - float(np.degrees(values[[a.name for a in data.axes].index(data.light.hints.peak_axis)]))
+                panel.plot((azimuth + 180.0) % 360.0 - 180.0, at, "+", color=style.RED, markersize=9)
     return figure
 
 
@@ -95,4 +100,4 @@ def _picture(weights: NDArray[np.floating]) -> Array:
     return panorama.expansion(sphere.scale_degrees(weights, sphere.sinc_window(sphere.bands_of(weights))))
 
 
-PICTURE = Picture("The scene's surroundings", CAPTION, draw)
+PICTURE = Picture("The scene's surroundings", CAPTION, draw, see=SEE)

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from skylight_sh.runtime import Packed, Table
-from skylight_sh.studies import compiled
+from skylight_sh.studies import compiled, outcomes
 from skylight_sh.studies.page import Row, Section
 from skylight_sh.studies.speed import contest, race
 from skylight_sh.studies.timing import Spread
@@ -58,7 +58,7 @@ def section(tables: Mapping[str, Table], recommended: str, repeats: int) -> Sect
                             "noisy": ", ".join(what for what, ratio in ratios.items() if ratio.noisy),
                         }
                     )
-    return Section("batch", "Batches of 4,096 suns", TEXT, rows)
+    return Section("batch", "Batches of 4,096 suns", TEXT, rows, told=outcomes.batches(rows))
 
 
 def _told(ratio: Spread) -> list[tuple[str, float]]:

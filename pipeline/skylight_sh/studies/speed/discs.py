@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from skylight_sh import sphere
 from skylight_sh.light import spherical_lights
+from skylight_sh.studies import outcomes
 from skylight_sh.studies.page import Row, Section
 from skylight_sh.studies.timing import medians
 
@@ -19,8 +20,8 @@ TEXT = (
     "Zonal weights of a disc (Mezieres and Paulin). Additions and multiplications are counted by running each scheme on "
     "numbers that count, constants folded and powers of sine and cosine given, as the paper counts them: closed forms "
     "(Sloan 2008) cost what it says, 3/5 for 3 bands and 13/19 for 6. It says 3/6 and 6/18 for its recurrence without "
-    "writing out its simplification; a recurrence on the weights themselves needs less. Ours pays a few more for keeping "
-    "its digits at every radius. Microseconds are for 10 bands: zonal weights from the formula or from a table of 1,024 "
+    "writing out its simplification; `recurrence` is on the weights themselves, `stable` is ours, which keeps its digits at "
+    "every radius. Microseconds are for 10 bands: zonal weights from the formula or from a table of 1,024 "
     "angles, interpolated, whose `error` is the largest of any light, over sqrt((2l+1) / 4 pi) times its solid angle; "
     "and all SH weights of so many lights, which also turns them: at one receiver, which is a frame of lights far away, "
     "and at a thousand, as a scene with its lights nearby needs them, each frame anew (the paper's figure 1: ten lights on "
@@ -142,7 +143,7 @@ def section(repeats: int) -> Section:
             error = lost if title == "zonal, table" else None
             rows.append(_row(f"{title}, {lights} lights", microseconds=1e6 * seconds, error=error))
     rows.append(_nearby(repeats))
-    return Section("discs", "Spherical lights", TEXT, rows)
+    return Section("discs", "Spherical lights", TEXT, rows, told=outcomes.discs(rows))
 
 
 def _nearby(repeats: int) -> Row:

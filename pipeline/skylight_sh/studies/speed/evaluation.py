@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+from skylight_sh.studies import outcomes
 from skylight_sh.studies.page import Row, Section
 from skylight_sh.studies.speed.contest import LITERAL, OURS, Contest
 from skylight_sh.studies.timing import NOISY, Spread
@@ -55,7 +56,14 @@ def calls(contest: Contest) -> Section:
                 row |= {f"{kind}times faster": ratio.median, f"{kind}ratio's spread": ratio.spread}
                 noisy += [f"{kind}{what}" for what, figure in (("ns", time), ("ratio", ratio)) if figure.noisy]
             rows.append(row | {"noisy": ", ".join(noisy)})
-    return Section("evaluation", "Evaluation: error against time and bytes", f"{CALLS_TEXT} {told(contest)}", rows, _draw)
+    return Section(
+        "evaluation",
+        "Evaluation: error against time and bytes",
+        f"{CALLS_TEXT} {told(contest)}",
+        rows,
+        _draw,
+        outcomes.evaluation(rows),
+    )
 
 
 def rivals(contest: Contest) -> Section:
@@ -74,7 +82,7 @@ def rivals(contest: Contest) -> Section:
                 row |= {label: ratio.median, f"{label}: spread": ratio.spread}
             row["rival wins"] = ", ".join(label for label, ratio in ratios.items() if ratio.high < 1.0)
             rows.append(row | {"noisy": ", ".join(label for label, ratio in ratios.items() if ratio.noisy)})
-    return Section("rivals", "Tables against their rivals", RIVALS_TEXT, rows)
+    return Section("rivals", "Tables against their rivals", RIVALS_TEXT, rows, told=outcomes.rivals(rows) if rows else "")
 
 
 def told(contest: Contest) -> str:
@@ -110,8 +118,8 @@ _GROUPS = {
 def _draw(rows: Sequence[Row]) -> Figure:
     from skylight_sh.report import style
 
-    figure = style.figure(12, 5.8)
-    panels = figure.subplots(1, 2, sharey=True)
+    figure = style.figure(style.WIDTH, 9.4)
+    panels = figure.subplots(2, 1, sharey=True)
     shown = [row for row in rows if row["build"] == "portable" and row["E_mean"] is not None]
     most = max(int(str(row["bands"])) for row in shown)
     for label, kinds, colour, marker in zip(_GROUPS, _GROUPS.values(), style.SERIES, style.MARKERS, strict=True):
@@ -129,10 +137,13 @@ def _draw(rows: Sequence[Row]) -> Figure:
                 )
     panels[0].set_xlabel("nanoseconds a call, warm, -O3")
     panels[1].set_xlabel("bytes of constants")
-    panels[0].set_ylabel("largest E_mean of what is returned")
-    panels[0].yaxis.set_major_formatter(style.percent_ticks())
     for panel in panels:
-        panel.grid(True, alpha=0.3)
-    figure.suptitle(f"filled: {most} bands; open: fewer", fontsize=10)
-    figure.legend(*panels[0].get_legend_handles_labels(), loc="outside lower center", ncols=4, fontsize=8)
+        panel.set_ylabel("largest E_mean")
+        panel.xaxis.set_major_formatter(style.plain_ticks())
+        panel.yaxis.set_major_formatter(style.percent_ticks())
+        style.steps(panel.xaxis)
+        style.steps(panel.yaxis)
+        panel.grid(True, which="major", alpha=0.3)
+    panels[0].set_title(f"filled: {most} bands; open: fewer", fontsize=11)
+    figure.legend(*panels[0].get_legend_handles_labels(), loc="outside lower center", fontsize=11, frameon=False)
     return figure

@@ -12,7 +12,7 @@ import numpy as np
 
 from skylight_sh.fit import least_squares
 from skylight_sh.formula.bases import BASES
-from skylight_sh.studies import single_fit, timing
+from skylight_sh.studies import outcomes, single_fit, timing
 from skylight_sh.studies.grid_samples import Samples
 from skylight_sh.studies.page import Row, Section
 from skylight_sh.table.errors import headline
@@ -53,27 +53,34 @@ def section(samples: Samples, repeats: int) -> Section:
         row: dict[str, object] = {"fit": name, "ms": 1e3 * statistics.median(times[name]), "E_mean": errors[name]}
         row |= {"paper ratio": ratio.median, "spread": ratio.spread, "noisy": "yes" if ratio.noisy else ""}
         rows.append(row)
-    return Section("fits", "Fits: error against time", TEXT, rows, _draw)
+    return Section("fits", "Fits: error against time", TEXT, rows, _draw, outcomes.fits(rows))
 
 
 def _draw(rows: Sequence[Row]) -> Figure:
     from skylight_sh.report import style
 
-    figure = style.figure(9, 5)
+    figure = style.figure(style.WIDTH, 5.6)
     axes = figure.subplots()
+    solvers = ("normal", "qr", "svd", "tensor")
     for i, basis in enumerate(BASES):
-        for j, solver in enumerate(("normal", "qr", "svd", "tensor")):
+        for j, solver in enumerate(solvers):
             mine = [r for r in rows if str(r["fit"]).startswith(f"{basis},") and str(r["fit"]).endswith(f", {solver}")]
-            axes.loglog(
-                [r["ms"] for r in mine],
-                [r["E_mean"] for r in mine],
-                style.MARKERS[j],
-                color=style.SERIES[i],
-                label=f"{basis}, {solver}",
-            )
+            # A little beside each other: bases of one space err alike in one time.
+            times = [float(str(r["ms"])) * 1.03 ** (i - 1.5) for r in mine]
+            axes.loglog(times, [r["E_mean"] for r in mine], style.MARKERS[j], color=style.SERIES[i], alpha=0.8)
+    for i, basis in enumerate(BASES):
+        axes.plot([], [], "o", color=style.SERIES[i], label=basis)
+    for j, solver in enumerate(solvers):
+        axes.plot([], [], style.MARKERS[j], color="white", markeredgecolor=style.BLACK, label=_SOLVERS[solver])
     axes.set_xlabel("milliseconds a fit")
     axes.set_ylabel("largest E_mean")
+    axes.xaxis.set_major_formatter(style.plain_ticks())
     axes.yaxis.set_major_formatter(style.percent_ticks())
-    axes.grid(True, alpha=0.3)
-    figure.legend(*axes.get_legend_handles_labels(), loc="outside lower center", ncols=4, fontsize=8)
+    style.steps(axes.xaxis)
+    style.steps(axes.yaxis)
+    axes.grid(True, which="major", alpha=0.3)
+    figure.legend(*axes.get_legend_handles_labels(), loc="outside lower center", ncols=2, fontsize=11, frameon=False)
     return figure
+
+
+_SOLVERS = {"normal": "normal equations", "qr": "QR", "svd": "SVD", "tensor": "tensor (a system an axis)"}

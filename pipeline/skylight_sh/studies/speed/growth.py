@@ -20,6 +20,7 @@ from skylight_sh.quadrature import parameter_points as parameter_sets
 from skylight_sh.quadrature.registry import suited
 from skylight_sh.run.executors import map_tasks
 from skylight_sh.sphere import Harmonics
+from skylight_sh.studies import outcomes
 from skylight_sh.studies.page import Row, Section
 from skylight_sh.studies.timing import exponent
 
@@ -30,8 +31,7 @@ TEXT = (
     "The truth stage's work, each line in a fresh process: sampling so many sets of a grid (4 bands), one block of 16 sets "
     "at so many bands to a verified 1e-9, and 2,000 sets with 1 and 2 workers: CPU seconds of all threads, and `wall` "
     "ones, which other work on the machine lengthens. `power` is p in CPU time ~ size^p, fitted over the group. `peak MB` "
-    "is the process's largest memory; `growth MB` what it grew by while it worked: bounded by a block, not by the grid, "
-    "but for the weights themselves."
+    "is the process's largest memory; `growth MB` what it grew by while it worked: a block of sets, and the weights."
 )
 _SETS = (100, 1_000, 10_000, 100_000)
 _BANDS = (3, 7, 16, 32, 64)
@@ -64,7 +64,7 @@ def section(config: Config) -> Section:
             }
             for size, f in zip(sizes, found, strict=True)
         ]
-    return Section("growth", "Cost as work grows", TEXT, rows, _draw)
+    return Section("growth", "Cost as work grows", TEXT, rows, _draw, outcomes.growth(rows))
 
 
 def _alone(task: Any, *arguments: Any) -> dict[str, float]:
@@ -142,16 +142,20 @@ def _sample_workers(light: Any, ranges: dict[str, tuple[float, float]], workers:
 def _draw(rows: Sequence[Row]) -> Figure:
     from skylight_sh.report import style
 
-    figure = style.figure(12, 4)
-    panels = figure.subplots(1, 3)
+    figure = style.figure(style.WIDTH, 8.4)
+    panels = figure.subplots(3, 1)
     for i, (panel, label) in enumerate(zip(panels, ("parameter sets", "bands", "workers"), strict=True)):
         mine = [row for row in rows if row["grows"] == label]
         key = "wall seconds" if label == "workers" else "CPU seconds"
-        panel.loglog([r["size"] for r in mine], [r[key] for r in mine], color=style.SERIES[i], marker="o")
+        sizes = [int(str(r["size"])) for r in mine]
+        panel.loglog(sizes, [r[key] for r in mine], **style.look(i))
         power = mine[0]["power"]
-        panel.set_title(label if power is None else f"time grows with {label}^{power:.2f}", fontsize=10)
+        title = key if power is None else f"{key}, as {label}^{float(str(power)):.2f}"
+        panel.set_title(title, fontsize=11)
         panel.set_xlabel(label)
-        panel.grid(True, alpha=0.3)
-    panels[0].set_ylabel("CPU seconds")
-    panels[2].set_ylabel("wall seconds")
+        panel.set_xticks(sizes, [f"{size:,}" for size in sizes])
+        panel.set_xticks([], minor=True)
+        panel.yaxis.set_major_formatter(style.plain_ticks())
+        style.steps(panel.yaxis)
+        panel.grid(True, which="major", alpha=0.3)
     return figure

@@ -18,7 +18,7 @@ from skylight_sh.run.provenance import settings
 from skylight_sh.run.steps import steps
 from skylight_sh.runtime import Table
 from skylight_sh.store.store import Store
-from skylight_sh.studies import compiled
+from skylight_sh.studies import compiled, outcomes
 from skylight_sh.studies.grid_samples import Samples, light_alone
 from skylight_sh.studies.page import Row, Section
 from skylight_sh.studies.speed import contest, race
@@ -59,7 +59,7 @@ def section(config: Config, samples: Samples, repeats: int) -> Section:
                 "noisy": "yes" if ratio.noisy else "",
             }
         )
-    return Section("profiles", "Scene profiles", TEXT, rows)
+    return Section("profiles", "Scene profiles", TEXT, rows, told=outcomes.profiles(rows))
 
 
 def _profiles(config: Config) -> list[tuple[str, Callable[[dict[str, Any]], None]]]:

@@ -14,7 +14,7 @@ from skylight_sh import sphere
 from skylight_sh.config.schema import Config
 from skylight_sh.light import BlackBox
 from skylight_sh.quadrature import adaptive, direction_sums, monte_carlo, rings, sun_centred, zenith_gauss
-from skylight_sh.studies import timing
+from skylight_sh.studies import outcomes, timing
 from skylight_sh.studies.page import Row, Section
 
 if TYPE_CHECKING:
@@ -71,7 +71,7 @@ def section(config: Config, repeats: int) -> Section:
                 "noisy": "yes" if any(ratio.noisy for ratio in found) else "",
             }
         )
-    return Section("rules", "Truth rules: error against time", TEXT, rows, _draw)
+    return Section("rules", "Truth rules: error against time", TEXT, rows, _draw, outcomes.rules(rows))
 
 
 def _tables(config: Config, where: dict[str, float]) -> Iterator[tuple[str, tuple[Array, Array]]]:
@@ -105,14 +105,17 @@ def _adaptive(config: Config, where: dict[str, float], tolerance: float) -> Arra
 def _draw(rows: Sequence[Row]) -> Figure:
     from skylight_sh.report import style
 
-    figure = style.figure(9, 5)
+    figure = style.figure(style.WIDTH, 5.6)
     axes = figure.subplots()
     for i, kind in enumerate(("stratified Monte Carlo", "zenith Gauss", "sun-centred", "rings", "adaptive, no hints")):
         mine = [row for row in rows if str(row["rule"]).startswith(kind)]
         times, errors = [row["ms"] for row in mine], [max(float(str(row["error"])), 1e-16) for row in mine]
-        axes.loglog(times, errors, color=style.SERIES[i], marker=style.MARKERS[i], label=kind)
+        axes.loglog(times, errors, label=kind, **style.look(i))
     axes.set_xlabel("milliseconds a parameter set")
-    axes.set_ylabel("error relative to the largest weight")
-    axes.grid(True, alpha=0.3)
-    axes.legend(fontsize=9)
+    axes.set_ylabel("error, of the largest weight")
+    axes.xaxis.set_major_formatter(style.plain_ticks())
+    style.steps(axes.xaxis)
+    style.decades(axes.yaxis)
+    axes.grid(True, which="major", alpha=0.3)
+    figure.legend(*axes.get_legend_handles_labels(), loc="outside lower center", ncols=2, fontsize=11, frameon=False)
     return figure

@@ -11,7 +11,7 @@ from skylight_sh import sphere
 from skylight_sh.config.schema import Config
 from skylight_sh.quadrature import rings, sun_centred
 from skylight_sh.runtime import Table
-from skylight_sh.studies import single_fit
+from skylight_sh.studies import outcomes, single_fit
 from skylight_sh.studies.grid_samples import sample
 from skylight_sh.studies.page import Row, Section
 from skylight_sh.table.errors import measure
@@ -50,7 +50,7 @@ def section(config: Config, like: Table) -> Section:
         }
         for n in range(1, _BANDS + 1)
     ]
-    return Section("bands", "Bands from 1 to 32", TEXT, rows, _draw)
+    return Section("bands", "Bands from 1 to 32", TEXT, rows, _draw, outcomes.bands(rows))
 
 
 def _apart(config: Config, sets: np.ndarray) -> np.ndarray:
@@ -64,13 +64,15 @@ def _apart(config: Config, sets: np.ndarray) -> np.ndarray:
 def _draw(rows: Sequence[Row]) -> Figure:
     from skylight_sh.report import style
 
-    figure = style.figure(9, 4.4)
+    figure = style.figure(style.WIDTH, 4.8)
     axes = figure.subplots()
     for i, key in enumerate(("E_mean float64", "E_mean float32", "rules apart")):
         values = [max(float(str(row[key])), 1e-17) for row in rows]
-        axes.semilogy([row["bands"] for row in rows], values, color=style.SERIES[i], marker=style.MARKERS[i], label=key)
+        told = key if key.startswith("E_mean") else f"{key}, of the largest weight"
+        axes.semilogy([row["bands"] for row in rows], values, label=told, **{**style.look(i), "markevery": (i, 3)})
     axes.set_xlabel("bands N")
-    axes.set_ylabel("fraction (E_mean of L_min; rules of the largest weight)")
-    axes.grid(True, alpha=0.3)
-    axes.legend(fontsize=8)
+    axes.set_ylabel("fraction")
+    style.decades(axes.yaxis)
+    axes.grid(True, which="major", alpha=0.3)
+    figure.legend(*axes.get_legend_handles_labels(), loc="outside lower center", fontsize=11, frameon=False)
     return figure

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from skylight_sh.studies import single_fit
+from skylight_sh.studies import outcomes, single_fit
 from skylight_sh.studies.grid_samples import Samples
 from skylight_sh.studies.page import Row, Section
 from skylight_sh.table.errors import headline
@@ -41,7 +41,7 @@ TEXT = (
 def section(samples: Samples) -> Section:
     """Fit and measure every combination. ``samples``' first axis needs more than 40 nodes for the highest degrees."""
     rows = [row for tried in _TRIED for row in _rows(samples, *tried)]
-    return Section("bases", "Bases and solvers against degree", TEXT, rows, _draw)
+    return Section("bases", "Bases and solvers against degree", TEXT, rows, _draw, outcomes.bases(rows))
 
 
 def _rows(samples: Samples, label: str, basis: str, solver: str, kind: str) -> list[Row]:
@@ -67,27 +67,20 @@ def _rows(samples: Samples, label: str, basis: str, solver: str, kind: str) -> l
 def _draw(rows: Sequence[Row]) -> Figure:
     from skylight_sh.report import style
 
-    figure = style.figure(13, 5)
-    panels = figure.subplots(1, 3)
+    figure = style.figure(style.WIDTH, 12.4)
+    panels = figure.subplots(3, 1)
     for i, (label, *_) in enumerate(_TRIED):
         mine = [row for row in rows if row["fit"] == label]
         degrees = [row["degree"] for row in mine]
         for panel, key in zip(panels, ("condition", "E_mean float64", "E_mean float32"), strict=True):
-            panel.semilogy(
-                degrees,
-                [row[key] for row in mine],
-                color=style.SERIES[i % 7],
-                marker=style.MARKERS[i % 7],
-                linestyle="-" if i < 7 else "--",
-                markersize=4,
-                label=label,
-            )
+            panel.semilogy(degrees, [row[key] for row in mine], label=label, **style.look(i))
     for panel, title in zip(panels, ("condition number", "largest E_mean, float64", "largest E_mean, float32"), strict=True):
-        panel.set_title(title, fontsize=10)
+        panel.set_title(title, fontsize=11)
         panel.set_xlabel("degree of the first axis")
-        panel.grid(True, alpha=0.3)
+        panel.grid(True, which="major", alpha=0.3)
+        style.decades(panel.yaxis)
     for panel in panels[1:]:
         panel.yaxis.set_major_formatter(style.percent_ticks())
         panel.set_ylim(1e-7, 1e4)
-    figure.legend(*panels[0].get_legend_handles_labels(), loc="outside lower center", ncols=4, fontsize=8)
+    figure.legend(*panels[0].get_legend_handles_labels(), loc="outside lower center", fontsize=11, frameon=False)
     return figure

@@ -6,7 +6,7 @@ import itertools
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -198,17 +198,24 @@ def _over_suns(table: Table) -> list[Row]:
 def _draw(rows: Sequence[Row]) -> Figure:
     from skylight_sh.report import style
 
-    figure = style.figure(8, 4.2)
+    figure = style.figure(style.WIDTH, 5.8)
     axes = figure.subplots()
     first, columns = next(iter(rows[0])), list(rows[0])
     channels = columns[columns.index(_SHARE) + 1 :]
     for c, channel in enumerate(channels):
-        for share, line in zip(_SHARES, ("-", "--", ":"), strict=True):
+        for share, line, marker in zip(_SHARES, ("-", "--", ":"), style.MARKERS, strict=False):
             mine = [row for row in rows if row[_SHARE] == share]
             x, y = ([float(str(row[key])) for row in mine] for key in (first, channel))
-            axes.plot(x, y, color=style.SERIES[c], linestyle=line, label=f"{channel}, {share:g}")
-    axes.set_xlabel(first)
+            look: dict[str, Any] = {
+                "color": style.SERIES[c],
+                "linestyle": line,
+                "marker": marker,
+                "markersize": 5,
+                "markevery": (c, 3),
+            }
+            axes.plot(x, y, label=f"{channel}, others at {100 * share:g} %", **look)
+    axes.set_xlabel(first.replace("_", " "))
     axes.set_ylabel("parts / sum")
     axes.grid(True, alpha=0.3)
-    axes.legend(fontsize=7)
+    figure.legend(*axes.get_legend_handles_labels(), loc="outside lower center", fontsize=11, frameon=False)
     return figure

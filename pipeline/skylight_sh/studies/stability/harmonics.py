@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from skylight_sh import sphere
+from skylight_sh.studies import outcomes
 from skylight_sh.studies.page import Row, Section
 
 if TYPE_CHECKING:
@@ -39,7 +40,7 @@ def section() -> Section:
         }
         for l in _DEGREES
     ]
-    return Section("harmonics", "The SH basis to l = 200", TEXT, rows, _draw)
+    return Section("harmonics", "The SH basis to l = 200", TEXT, rows, _draw, outcomes.harmonics(rows))
 
 
 def _gram(l: int) -> float:
@@ -117,15 +118,18 @@ def _sphericart(l: int) -> float:
 def _draw(rows: Sequence[Row]) -> Figure:
     from skylight_sh.report import style
 
-    figure = style.figure(8, 4)
+    figure = style.figure(style.WIDTH, 5.2)
     axes = figure.subplots()
-    degrees = [row["l"] for row in rows]
+    degrees = [int(str(row["l"])) for row in rows]
     for i, key in enumerate(("orthonormal", "against mpmath", "against SciPy", "against sphericart")):
         known = [(row["l"], row[key]) for row in rows if row[key] is not None]
-        axes.loglog(*zip(*known, strict=True), color=style.SERIES[i], marker=style.MARKERS[i], label=key)
+        axes.loglog(*zip(*known, strict=True), label=key, **style.look(i))
     axes.loglog(degrees, [row["1e-16 l"] for row in rows], ":", color=style.BLACK, label="1e-16 l")
     axes.set_xlabel("degree l")
     axes.set_ylabel("relative error")
-    axes.grid(True, alpha=0.3)
-    axes.legend(fontsize=8)
+    axes.set_xticks([5, 10, 20, 50, 100, 200], ["5", "10", "20", "50", "100", "200"])
+    axes.set_xticks([], minor=True)
+    style.decades(axes.yaxis)
+    axes.grid(True, which="major", alpha=0.3)
+    figure.legend(*axes.get_legend_handles_labels(), loc="outside lower center", ncols=2, fontsize=11, frameon=False)
     return figure

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from skylight_sh.studies import single_fit
+from skylight_sh.studies import outcomes, single_fit
 from skylight_sh.studies.grid_samples import Samples
 from skylight_sh.studies.page import Row, Section
 
@@ -18,9 +18,9 @@ _LEVELS = tuple(10.0**k for k in range(-12, -1))
 TEXT = (
     "Every sample is multiplied by 1 + noise times a normal random number; the figure is the largest change of any "
     "weight over random sets and corners, relative to its set's largest weight, divided by the noise. Least squares "
-    "on more samples than coefficients averages noise out: an amplification of 1 or below, the same at every level, "
-    "proves that the fit passes on no more than it is given. Monomials by the normal equations have a floor of their "
-    "own rounding, whose amplification is without bound as the noise vanishes."
+    "on more samples than coefficients averages noise out: an amplification of about 1, the same at every level, says "
+    "that a fit passes on no more than it is given; one that grows as the noise vanishes says that rounding of the fit's "
+    "own is below it."
 )
 
 
@@ -42,7 +42,7 @@ def section(samples: Samples) -> Section:
             noisy = _weights(samples, clean * (1 + level * drawn), basis, solver, kind)
             change = float((np.abs(noisy - base) / scale).max())
             rows.append({"fit": label, "noise": level, "change": change, "amplification": change / level})
-    return Section("noise", "Noise in the samples", TEXT, rows, _draw)
+    return Section("noise", "Noise in the samples", TEXT, rows, _draw, outcomes.noise(rows))
 
 
 def _weights(samples: Samples, values: np.ndarray, basis: str, solver: str, kind: str) -> np.ndarray:
@@ -57,14 +57,15 @@ def _weights(samples: Samples, values: np.ndarray, basis: str, solver: str, kind
 def _draw(rows: Sequence[Row]) -> Figure:
     from skylight_sh.report import style
 
-    figure = style.figure(8.5, 4.4)
+    figure = style.figure(style.WIDTH, 5.2)
     axes = figure.subplots()
     for i, label in enumerate(dict.fromkeys(str(row["fit"]) for row in rows)):
         mine = [row for row in rows if row["fit"] == label]
-        x, y = [row["noise"] for row in mine], [row["amplification"] for row in mine]
-        axes.loglog(x, y, color=style.SERIES[i], marker=style.MARKERS[i], label=label)
+        axes.loglog([row["noise"] for row in mine], [row["amplification"] for row in mine], label=label, **style.look(i))
     axes.set_xlabel("noise in the samples (relative)")
     axes.set_ylabel("change of the fit / noise")
-    axes.grid(True, alpha=0.3)
-    axes.legend(fontsize=8)
+    style.decades(axes.xaxis)
+    style.decades(axes.yaxis)
+    axes.grid(True, which="major", alpha=0.3)
+    figure.legend(*axes.get_legend_handles_labels(), loc="outside lower center", fontsize=11, frameon=False)
     return figure

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from skylight_sh.fit.errors import e_mean
 from skylight_sh.formula.bases import BASES
-from skylight_sh.studies import single_fit
+from skylight_sh.studies import outcomes, single_fit
 from skylight_sh.studies.grid_samples import Samples
 from skylight_sh.studies.page import Row, Section
 from skylight_sh.table.grid_fit import GridFit
@@ -24,10 +24,8 @@ Floats = NDArray[np.floating]
 TEXT = (
     "The paper's degrees for every basis, coefficients rounded to a number type and summed in it (int16: one step for "
     "the whole table, summed in float32), by powers u**k, Horner's scheme, Clenshaw's, or products with the basis's "
-    "own recurrence, which is what tables ship with. What breaks is the raw monomial in anything but double "
-    "precision, by any scheme: its coefficients are large and cancel. Scaled variables cure it; half floats are never "
-    "enough for weights of 10^4 cd/m2, which is why tables ship as float32, or as whole numbers of one step in as "
-    "many bits as each needs."
+    "own recurrence, which is what tables ship with: as float32, or as whole numbers of one step in as many bits as each "
+    "needs. Coefficients of raw monomials are large and cancel; scaled variables keep them small."
 )
 _BITS = ("float64", "float32", "float16", "int16")
 
@@ -47,7 +45,7 @@ def section(samples: Samples) -> Section:
             row: dict[str, object] = {"fit": label, "scheme": scheme}
             row |= {bits: _error(samples, made, scheme, bits) for bits in _BITS}
             rows.append(row)
-    return Section("schemes", "Number types and evaluation schemes", TEXT, rows, _draw)
+    return Section("schemes", "Number types and evaluation schemes", TEXT, rows, _draw, outcomes.schemes(rows))
 
 
 def _error(samples: Samples, made: GridFit, scheme: str, bits: str) -> float:
@@ -107,17 +105,23 @@ SCHEMES = {"powers": powers, "Horner": horner, "recurrence": recurrence, "Clensh
 def _draw(rows: Sequence[Row]) -> Figure:
     from skylight_sh.report import style
 
-    figure = style.figure(11, 4.6)
+    figure = style.figure(style.WIDTH, 1.4 + 0.95 * len(rows))
     axes = figure.subplots()
-    width = 0.2
+    width, most, least = 0.2, 1e6, 1e-6
     for i, bits in enumerate(_BITS):
-        heights = [value if np.isfinite(value := float(str(row[bits]))) else 1e6 for row in rows]
-        axes.bar(np.arange(len(rows)) + (i - 1.5) * width, heights, width, color=style.SERIES[i], label=bits)
-    axes.set_yscale("log")
-    axes.set_ylim(1e-6, 1e6)
-    axes.set_xticks(range(len(rows)), [f"{row['fit']}\n{row['scheme']}" for row in rows], fontsize=7)
-    axes.yaxis.set_major_formatter(style.percent_ticks())
-    axes.set_ylabel("largest E_mean")
-    axes.grid(True, axis="y", alpha=0.3)
-    axes.legend()
+        lengths = [min(value, most) if np.isfinite(value := float(str(row[bits]))) else most for row in rows]
+        axes.barh(np.arange(len(rows)) + (i - 1.5) * width, lengths, width, color=style.SERIES[i], label=bits)
+    axes.set_xscale("log")
+    axes.set_xlim(least, most)
+    # Each bar's group is told above it, where there is room for it.
+    for place, row in enumerate(rows):
+        axes.text(1.4 * least, place - 2.3 * width, f"{row['fit']}, {row['scheme']}", va="bottom", fontsize=11)
+    axes.set_ylim(len(rows) - 0.5, -0.75)
+    axes.set_yticks([])
+    axes.xaxis.set_major_formatter(style.percent_ticks())
+    axes.set_xticks([1e-5, 1e-3, 1e-1, 1e1, 1e3])
+    style.decades(axes.xaxis)
+    axes.set_xlabel("largest E_mean (to the edge: overflow)")
+    axes.grid(True, axis="x", which="major", alpha=0.3)
+    figure.legend(*axes.get_legend_handles_labels(), loc="outside lower center", ncols=2, fontsize=11, frameon=False)
     return figure

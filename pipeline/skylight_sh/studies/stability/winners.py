@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from skylight_sh.fit.errors import Reference, e_mean
 from skylight_sh.runtime import Table
-from skylight_sh.studies import single_fit
+from skylight_sh.studies import outcomes, single_fit
 from skylight_sh.studies.grid_samples import Samples, measured_at
 from skylight_sh.studies.page import Row, Section
 from skylight_sh.table.errors import measure
@@ -42,7 +42,7 @@ def second_verification(samples: Samples, tables: Mapping[str, Table], published
         found = measure(table, fresh)
         error = float(found.e_mean[0, :, -1].max())
         rows.append({"table": name, "published E_mean": published[name], "E_mean": error, "ratio": error / published[name]})
-    return Section("second-verification", "Published errors on 2,000 new sets", SECOND, rows)
+    return Section("second-verification", "Published errors on 2,000 new sets", SECOND, rows, told=outcomes.again(rows))
 
 
 def smoothness(samples: Samples, tables: Mapping[str, Table]) -> Section:
@@ -72,7 +72,7 @@ def smoothness(samples: Samples, tables: Mapping[str, Table]) -> Section:
             slopes = np.diff(got, axis=0) / np.degrees(step)
             slope_step = max(slope_step, e_mean(np.diff(slopes, axis=0), l_min[1:-1]))
         rows.append({"table": name, "error step": error_step, "value step": value_step, "slope step": slope_step})
-    return Section("smoothness", "Smoothness along the sun's path", SMOOTH, rows)
+    return Section("smoothness", "Smoothness along the sun's path", SMOOTH, rows, told=outcomes.smoothness(rows))
 
 
 def _least(reference: Reference, values: Array) -> Array:
