@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import replace
+from itertools import product
 from pathlib import Path
 
 import numpy as np
@@ -11,12 +12,14 @@ import pytest
 from c_programs import FACTS, STRICT, floats, run
 from numpy.typing import NDArray
 from skylight_sh import runtime, sphere
-from skylight_sh.export import c_header, vectors
+from skylight_sh.export import c_data, c_header, vectors
 from skylight_sh.fit.axis import Axis
 from skylight_sh.runtime import Table
 from skylight_sh.studies.claims import gradient as claims_gradient
 from skylight_sh.studies.compiled import builds
 from skylight_sh.studies.stability.flavours import flavours
+from skylight_sh.table.powers import in_powers
+from skylight_sh.table.rows import by_class
 from skylight_sh.table.table import fast, specification
 
 Array = NDArray[np.float64]
@@ -151,8 +154,14 @@ int main(void)
 """
 
 
-@pytest.mark.parametrize("name", FLAVOURS)
-@pytest.mark.parametrize("suns", ["many weathers", "with a NaN", "one weather"])
+# Those whose batches evaluate suns side by side.
+WIDE = [name for name, table in FLAVOURS.items() if "HAS_WIDE" in c_data.features(in_powers(by_class(table)))]
+
+
+@pytest.mark.parametrize(
+    ("name", "suns"),
+    [*((name, "many weathers") for name in FLAVOURS), *product(WIDE, ["with a NaN", "one weather"])],
+)
 def test_a_batch_is_its_single_calls(tmp_path: Path, name: str, suns: str) -> None:
     """Suns that share the other axes and suns that do not, one of them clamped; nothing behind the last is touched.
 
@@ -174,8 +183,8 @@ def test_a_batch_is_its_single_calls(tmp_path: Path, name: str, suns: str) -> No
     source = BATCH.format(
         suns=len(rows), columns="\n".join(texts), names=", ".join(columns), elements=", ".join(f"{c}[s]" for c in columns)
     )
-    # Where suns are evaluated side by side, also in wider vectors, and all at once.
-    wider = list(builds(tmp_path / "probe").values())[1:] if "_SUNS " in header else []
+    # In vectors of four, and wider.
+    wider = list(builds(tmp_path / "probe").values())[1:] if name in WIDE else []
     for flags in ([], *(wider if suns == "many weathers" else wider[:1])):
         status, worst, touched, far = run(tmp_path, source, flags=[*STRICT, *flags]).stdout.split()
         assert int(status) == int(worst) == (2 if invalid else 1)
