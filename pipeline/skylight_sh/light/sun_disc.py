@@ -96,11 +96,21 @@ def spectral_transmittance(theta: ArrayLike, tau: ArrayLike, wavelengths: Array 
     mass = optical_mass(zenith)[..., np.newaxis]
     micro = wavelengths / 1000.0
     beta = np.maximum(0.04608 * turbidity - 0.04586, 0.0)[..., np.newaxis]
-    ozone, gases, vapour = (np.interp(wavelengths, at, size, left=0.0, right=0.0) for at, size in (_OZONE, _GASES, _VAPOUR))
-    depth = 0.008735 * micro**-4.08 + beta * micro**-1.3 + _OZONE_CM * ozone
+    still, gases, vapour = absorption(wavelengths)
+    depth = still + beta * micro**-1.3
     lines = 1.41 * gases * mass / (1.0 + 118.93 * gases * mass) ** 0.45
-    wet = _VAPOUR_CM * vapour * mass
+    wet = vapour * mass
     return np.asarray(np.exp(-mass * depth - lines - 0.2385 * wet / (1.0 + 20.07 * wet) ** 0.45))
+
+
+def absorption(wavelengths: Array = WAVELENGTHS) -> tuple[Array, Array, Array]:
+    """Return what turbidity does not change, each ``(wavelengths,)``: the depth of air and ozone, gases and water vapour.
+
+    >>> [float(values[7].round(4)) for values in absorption()]
+    [0.2281, 0.0, 0.0]
+    """
+    ozone, gases, vapour = (np.interp(wavelengths, at, size, left=0.0, right=0.0) for at, size in (_OZONE, _GASES, _VAPOUR))
+    return 0.008735 * (wavelengths / 1000.0) ** -4.08 + _OZONE_CM * ozone, gases, _VAPOUR_CM * vapour
 
 
 def radiance(theta: ArrayLike, tau: ArrayLike, colour_space: str = "srgb") -> Array:
@@ -108,10 +118,13 @@ def radiance(theta: ArrayLike, tau: ArrayLike, colour_space: str = "srgb") -> Ar
 
     The blue of a low sun lies outside sRGB and is left below 0, as the sky's is.
     """
-    spectrum = spectral_transmittance(theta, tau) * SPECTRUM
+    return np.asarray(spectral_transmittance(theta, tau) @ spectrum_rgb(colour_space))
+
+
+def spectrum_rgb(colour_space: str = "srgb") -> Array:
+    """Return what each of WAVELENGTHS adds to the disc's linear RGB above the atmosphere, ``(wavelengths, 3)`` in cd/m2."""
     step = WAVELENGTHS[1] - WAVELENGTHS[0]
-    xyz = spectrum @ OBSERVER.T * (_EFFICACY * step)
-    return np.asarray(xyz @ colour.matrix(colour_space).T)
+    return np.asarray((SPECTRUM * OBSERVER).T @ colour.matrix(colour_space).T * (_EFFICACY * step))
 
 
 def normal_illuminance(theta: ArrayLike, tau: ArrayLike) -> Array:

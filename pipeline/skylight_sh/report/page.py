@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
-from skylight_sh.report import choice, origins, savings, titles
+from skylight_sh.report import choice, origins, player, savings, titles
 from skylight_sh.report.amounts import count, percent, plain
 from skylight_sh.report.cells import Cell, fraction, number, text
 from skylight_sh.report.figures import PICTURES
@@ -27,6 +27,7 @@ def html(data: ReportData, pictures: Mapping[str, tuple[int, int]], timings: Tim
     choices = choice.choices(data, timings)
     page = _TEMPLATES.get_template("index.html.j2").render(
         name=data.name,
+        player=player.of(data),
         title=titles.title(data.light.title, data.settings),
         ranges=titles.ranges(data.settings, {axis.name: axis.unit for axis in data.axes}),
         quantity=titles.quantity(data.settings),

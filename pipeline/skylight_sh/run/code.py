@@ -27,7 +27,7 @@ _ELSEWHERE = (
     "run/provenance.py",
     "run/steps.py",
 )
-_SUFFIXES = (".py", ".j2", ".h", ".c", ".cs", ".mjs")
+_SUFFIXES = (".py", ".j2", ".h", ".c", ".cs", ".mjs", ".css", ".glsl", ".bin", ".webp")
 # Each starts with plain letters, which are found much faster than blanks before them: ``_starts_line`` looks at those.
 _FROM = re.compile(rf"from[ \t]+({PACKAGE}[\w.]*)[ \t]+import[ \t]+(\([^)]*\)|[^\n(]+)")
 _IMPORT = re.compile(rf"import[ \t]+({PACKAGE}[\w.]*)")

@@ -1,0 +1,229 @@
+"""What the player at the top of the report's page gets: the run's tables as ES modules, its sky's formula, the courtyard.
+
+All of it is text inside the page. A table is the module that ``export/javascript.py`` writes, to the letter: the page
+imports it, so that what it shows is what a renderer gets.
+"""
+
+from __future__ import annotations
+
+import base64
+import json
+import re
+import zlib
+from collections.abc import Sequence
+from dataclasses import replace
+from importlib.resources import files
+from typing import Any
+
+import numpy as np
+
+from skylight_sh.export import javascript, prefixes, statements
+from skylight_sh.export.c_header import Facts
+from skylight_sh.light import colour, preetham, sun_disc
+from skylight_sh.light.preetham import Preetham
+from skylight_sh.report import courtyard
+from skylight_sh.report.amounts import percent
+from skylight_sh.report.report_data import Entry, ReportData
+from skylight_sh.runtime import Axis, Packed, Table, flat_places
+from skylight_sh.table.size import bytes_of
+
+# The paper's own fit, as runs name it; the first one that a run has.
+PAPER = ("paper-literal", "paper-svd")
+SHADERS = ("scene.vert", "scene.frag", "sky.vert", "sky.frag", "shadow.vert", "shadow.frag", "tone.frag")
+# A line of a table's numbers, and what stands in its place in a module without them.
+_NUMBERS = re.compile(r"^[-\d.eE, ]+$", re.M)
+_GAP, _END = "\x01", "\x02"
+_LETTERS = "".join(chr(code) for code in range(32, 127) if chr(code) not in '"/<\\')
+
+
+def of(data: ReportData) -> dict[str, Any]:
+    """Return what ``player.html.j2`` shows; ``json`` is what its script reads."""
+    entries = [*data.winners, *_papers(data)]
+    best = data.best.table
+    scene = _lights_courtyard(data, best)
+    shipped: dict[str, Any] = {}
+    if scene:
+        shipped = {"courtyard": written(courtyard.shipped()), "shaders": _shaders()}
+    return {
+        "axes": [_control(axis) for axis in best.spec.axes if axis.name != best.spec.peak_axis],
+        "best": data.recommended,
+        "entries": [_about(data, entry) for entry in entries],
+        "bands": max(entry.table.bands for entry in entries),
+        "sun": _height(best),
+        "has_sun": best.spec.peak_axis in [axis.name for axis in best.spec.axes],
+        "turns": best.spec.azimuth is None and best.spec.peak_axis is not None,
+        "exact": _formula(data, best) is not None,
+        "scene": scene,
+        "disc": scene and isinstance(data.light, Preetham),
+        "poster": base64.b64encode(courtyard.shipped(courtyard.POSTER)).decode() if scene else None,
+        "grounds": best.spec.ground == "black" and best.spec.quantity == "radiance" and not best.surroundings,
+        "windowed": best.spec.windowed,
+        "irradiance": best.spec.quantity == "irradiance",
+        "sources": _sources(data),
+        "json": _json(
+            {
+                "name": data.name,
+                "title": data.light.title,
+                "best": data.recommended,
+                "tables": [_about(data, entry) for entry in entries],
+                "modules": written(modules([_module(data, entry) for entry in entries])),
+                "channels": len(best.channels),
+                "luminance": data.light.luminance_row.tolist(),
+                "sun": best.spec.peak_axis,
+                "formula": _formula(data, best),
+                "disc": _disc() if scene and isinstance(data.light, Preetham) else None,
+                "fixed": data.settings["scene"]["fixed"],
+                **shipped,
+            }
+        ),
+    }
+
+
+def modules(sources: Sequence[str]) -> bytes:
+    r"""Return ES modules as one compressed text: the code, in which a compressor finds its like, then all lines of numbers.
+
+    The page puts the lines back where a byte 1 stands, so that each module is what it was, to the letter.
+
+    >>> zlib.decompress(modules(["a = [\n  1, 2\n];", "b"])).decode().split("\x02")
+    ['a = [\n\x01\n];', 'b', '  1, 2']
+    """
+    code = [_NUMBERS.sub(_GAP, source) for source in sources]
+    numbers = (match[0] for source in sources for match in _NUMBERS.finditer(source))
+    return zlib.compress(_END.join([*code, "\n".join(numbers)]).encode(), 9)
+
+
+def _papers(data: ReportData) -> list[Entry]:
+    """Return the paper's own fit, of no more bands than the largest table has, or none."""
+    known = {entry.name: entry for entry in data.references}
+    bands = max(entry.table.bands for entry in data.winners)
+    return [_first(known[name], bands) for name in PAPER if name in known][:1]
+
+
+def _first(entry: Entry, bands: int) -> Entry:
+    """Return an entry's first bands, where its rows have a column for every weight."""
+    table, body = entry.table, entry.table.body
+    if bands >= table.bands or table.surroundings or isinstance(body, Packed):
+        return entry
+    count = len(flat_places(bands, mirrored=table.spec.mirrored))
+    columns = body.columns[..., :count]
+    cut = replace(body, rows=np.ascontiguousarray(body.rows[:, : int(columns.max()) + 1]), columns=columns)
+    errors = {name: getattr(entry, name)[..., :bands] for name in ("e_max", "e_mean", "rel_l2")}
+    return replace(entry, table=replace(table, bands=bands, body=cut), at=entry.at[..., :bands, :], **errors)
+
+
+def _module(data: ReportData, entry: Entry) -> str:
+    e_mean, e_max = entry.headline
+    facts = Facts(data.light.title, e_mean, e_max, data.conventions[0], [f"config {data.name}, table {entry.name}"])
+    return javascript.write(entry.table, facts)
+
+
+def _about(data: ReportData, entry: Entry) -> dict[str, Any]:
+    table, (e_mean, _) = entry.table, entry.headline
+    return {
+        "name": entry.name,
+        "bands": table.bands,
+        "bytes": bytes_of(table),
+        "e_mean": e_mean,
+        "inputs": statements.inputs_of(table),
+        "prefix": _prefixes(data).get(entry.name, data.settings["export"]["prefix"]),
+        "paper": entry not in data.winners,
+        "ground": table.spec.ground if isinstance(table.spec.ground, str) else "folded",
+    }
+
+
+def _prefixes(data: ReportData) -> dict[str, str]:
+    names = [entry.name for entry in data.winners]
+    return prefixes.by_table(names, data.recommended, data.settings["export"]["prefix"])
+
+
+def _lights_courtyard(data: ReportData, table: Table) -> bool:
+    """Say whether a table's light falls on the courtyard: radiance of a sun that moves, and nothing folded in."""
+    spec = table.spec
+    moves = spec.peak_axis is not None and spec.peak_axis in [axis.name for axis in spec.axes] and spec.azimuth is None
+    plain = spec.quantity == "radiance" and not (spec.sun_disc or spec.windowed or table.surroundings or spec.twilight)
+    return bool(moves and plain and len(table.channels) in (1, 3) and not data.settings["scene"]["lights"])
+
+
+def _formula(data: ReportData, table: Table) -> dict[str, Any] | None:
+    """Return the numbers of the Preetham sky, where the page can hold the table against it; else None."""
+    light, spec = data.light, table.spec
+    if not isinstance(light, Preetham) or not _lights_courtyard(data, table) or spec.ground not in ("black", "mirror"):
+        return None
+    perez, zenith = preetham.constants_of(light.constants)
+    return {"perez": perez.tolist(), "zenith": zenith.tolist(), "rgb": colour.matrix(light.colour_space).tolist()}
+
+
+def _disc() -> dict[str, Any]:
+    """Return what the sun's disc is summed from, wavelength by wavelength: see ``light/sun_disc.py``."""
+    still, gases, vapour = sun_disc.absorption()
+    columns = [sun_disc.spectrum_rgb(), still, (sun_disc.WAVELENGTHS / 1000.0) ** -1.3, gases, vapour]
+    rows = np.column_stack(columns)
+    return {"half_angle": sun_disc.HALF_ANGLE, "rows": [[float(f"{v:.8g}") for v in row] for row in rows.tolist()]}
+
+
+def _control(axis: Axis) -> dict[str, Any]:
+    angle = axis.unit == "rad"
+    low, high = (float(np.degrees(value)) if angle else value for value in (axis.low, axis.high))
+    return {
+        "name": axis.name,
+        "label": axis.name.replace("_", " ").capitalize(),
+        "unit": "°" if angle else "",
+        "low": float(f"{low:.6g}"),
+        "high": float(f"{high:.6g}"),
+        "step": float(f"{(high - low) / 100:.1g}"),
+    }
+
+
+def _height(table: Table) -> dict[str, float] | None:
+    """Return the range of the sun's height in degrees, where the table has its zenith angle as an axis."""
+    axis = next((axis for axis in table.spec.axes if axis.name == table.spec.peak_axis), None)
+    if axis is None:
+        return None
+    low, high = table.ranges[[one.name for one in table.axes].index(axis.name)]
+    return {"low": round(90.0 - float(np.degrees(high)), 3), "high": round(90.0 - float(np.degrees(low)), 3)}
+
+
+def _sources(data: ReportData) -> dict[str, Any] | None:
+    """Return the bars of a picture's error by source and sun, where the run has made pictures of the courtyard."""
+    found = data.pictures.get("courtyard")
+    if found is None:
+        return None
+    errors = np.asarray(found["sources/error"], dtype=np.float64)
+    low, high = np.log10(errors[errors > 0.0].min()) - 0.3, np.log10(errors.max())
+    rows = []
+    for name, series in zip(found["sources/source"], errors, strict=True):
+        bars = [
+            {
+                "width": round(75.0 * max(float(np.log10(max(value, 1e-12)) - low), 0.0) / (high - low), 1),
+                "text": percent(float(f"{value:.2g}")),
+                "sun": f"sun {height:g}° high",
+            }
+            for height, value in zip(found["sources/height"], series, strict=True)
+        ]
+        rows.append({"name": str(name), "bars": bars})
+    return {"rows": rows}
+
+
+def _shaders() -> dict[str, str]:
+    folder = files(__package__).joinpath("templates")
+    return {name: folder.joinpath(f"{name}.glsl").read_text(encoding="utf-8") for name in SHADERS}
+
+
+def written(data: bytes) -> dict[str, Any]:
+    """Return bytes as text that JSON and HTML take as it is, 13 bits in two letters of 91: 8 % less than base64.
+
+    The letters are those of ASCII from the blank on but for four with a meaning of their own.
+
+    >>> written(b"sky")
+    {'bytes': 3, 'text': 'C5+a'}
+    """
+    bits = np.unpackbits(np.frombuffer(data, np.uint8), bitorder="little")
+    whole = np.concatenate([bits, np.zeros(-len(bits) % 13, np.uint8)]).reshape(-1, 13)
+    pairs = whole @ (1 << np.arange(13))
+    letters = np.frombuffer(_LETTERS.encode(), np.uint8)
+    return {"bytes": len(data), "text": letters[np.stack([pairs // 91, pairs % 91], axis=-1)].tobytes().decode()}
+
+
+def _json(value: object) -> str:
+    """Return JSON that may stand inside a script element."""
+    return json.dumps(value, ensure_ascii=True, separators=(",", ":"), allow_nan=False).replace("</", "<\\/")
