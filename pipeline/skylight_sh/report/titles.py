@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 
+from skylight_sh.report.figures import SCENES
+
+# What a table's name tells of it.
+_ASKED = re.compile(r"(\d+)-bands-(?:([\d.]+)pct)?")
 # Lights whose zenith has a luminance of 1 by definition.
 _RELATIVE = ("cie_general", "cie_traditional")
 _QUANTITIES = {"radiance": "radiance in cd/m²", "irradiance": "diffuse irradiance in lux"}
@@ -15,12 +20,17 @@ _QUANTITIES = {"radiance": "radiance in cd/m²", "irradiance": "diffuse irradian
 def title(light: str, settings: Mapping[str, Any]) -> str:
     """Return a run's title: its name, the ``light`` by its own title, the scene, the quantity and its unit.
 
-    >>> scene = {"quantity": "radiance", "ground": "black", "fixed": {}}
-    >>> title("CIE overcast sky", {"name": "grey", "light": {"model": "cie_traditional"}, "scene": scene, "axes": []})
-    'grey: CIE overcast sky, radiance in units of the zenith'
+    >>> told = {"name": "grey", "light": {"model": "cie_traditional"}, "scene": {"quantity": "radiance"}}
+    >>> title("CIE overcast sky", {**told, "export": {"recommended": "7-bands-0.1pct"}, "report": {"figures": []}})
+    'grey: CIE overcast sky, radiance in units of the zenith, 7 bands within 0.1 %'
     """
-    scene = ", ".join(surroundings(settings))
-    return f"{settings['name']}: {light}{f', {scene}' if scene else ''}, {quantity(settings)}"
+    parts = [light, *surroundings(settings), quantity(settings)]
+    asked = _ASKED.match(settings["export"]["recommended"])
+    if asked:
+        parts.append(f"{asked[1]} bands" + (f" within {asked[2]} %" if asked[2] else ""))
+    if set(settings["report"]["figures"]) & set(SCENES):
+        parts.append("with pictures of lit scenes")
+    return f"{settings['name']}: {', '.join(parts)}"
 
 
 def quantity(settings: Mapping[str, Any]) -> str:
@@ -40,14 +50,18 @@ def _is_relative(settings: Mapping[str, Any]) -> bool:
 
 
 def surroundings(settings: Mapping[str, Any]) -> list[str]:
-    """Return in words what a config's scene adds to the light or leaves out of it; nothing where it is the light alone."""
+    """Return in words what a config's scene adds to the light; nothing where it is the light alone.
+
+    What the scene fixes of the light, and its channels, the light's own title tells.
+    """
     scene = settings["scene"]
-    found = [f"{name.replace('_', ' ')} fixed at {value:g}" for name, value in scene.get("fixed", {}).items()]
+    found: list[str] = []
     ground = scene.get("ground", "black")
     if ground == "mirror":
         found.append("mirrored below the horizon")
     elif ground != "black":
-        found.append(f"ground of albedo {' / '.join(f'{albedo:g}' for albedo in ground)}")
+        each = ground if len(set(ground)) > 1 else ground[:1]
+        found.append(f"ground of albedo {' / '.join(f'{albedo:g}' for albedo in each)}")
     found += [f"with {word}" for word in ("twilight", "clouds") if scene.get(word)]
     found += ["with the sun's disc"] if scene.get("sun_disc") else []
     found += ["a skyline"] if scene.get("horizon") else []
@@ -56,8 +70,6 @@ def surroundings(settings: Mapping[str, Any]) -> list[str]:
         found += [f"{count} {word}{'s' if count > 1 else ''}"] if count else []
     mesh = scene.get("mesh")
     found += [f"on a mesh ({str(mesh['file']).rpartition('/')[2]})"] if mesh else []
-    if scene.get("channels") == "luminance":
-        found.append("luminance alone")
     if scene.get("azimuth") is not None:
         found.append(f"sun azimuth fixed at {np.degrees(scene['azimuth']):.4g}°")
     if scene.get("window"):

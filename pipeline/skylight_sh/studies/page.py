@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from jinja2 import ChoiceLoader, Environment, PackageLoader, StrictUndefined
+from markupsafe import Markup, escape
 
 from skylight_sh.store import atomic
 from skylight_sh.studies import tabular
@@ -79,9 +80,20 @@ def write(folder: Path, title: str, lead: str, sections: Sequence[Section]) -> N
             size = style.shown(figure)
         columns = list(section.rows[0])
         rows = [[shown_cell(row[column]) for column in columns] for row in section.rows]
+        words = [not any(row[place].sort for row in rows) for place in range(len(columns))]
         told = " ".join(part for part in (section.told, verdict(section.rows)) if part)
         folded = size is not None and len(rows) > _FOLDED
-        shown.append({"section": section, "columns": columns, "rows": rows, "size": size, "told": told, "folded": folded})
+        shown.append(
+            {
+                "section": section,
+                "text": marked(section.text),
+                "columns": list(zip(columns, words, strict=True)),
+                "rows": rows,
+                "size": size,
+                "told": told,
+                "folded": folded,
+            }
+        )
     page = _TEMPLATES.get_template("measurements.html.j2").render(title=title, lead=lead, sections=shown)
     atomic.write(folder / "index.html", page.encode())
 
@@ -103,6 +115,16 @@ def verdict(rows: Sequence[Row]) -> str:
         noisy = sum(bool(row["noisy"]) for row in rows)
         found.append(f"{noisy or 'None'} of {len(rows)} rows {'is' if noisy < 2 else 'are'} noisy.")
     return " ".join(found)
+
+
+def marked(text: str) -> Markup:
+    """Return a text as HTML, what stands between backticks as code.
+
+    >>> str(marked("`a < b` holds"))
+    '<code>a &lt; b</code> holds'
+    """
+    parts = enumerate(text.split("`"))
+    return Markup("").join(Markup("<code>{}</code>").format(part) if place % 2 else escape(part) for place, part in parts)
 
 
 def shown_cell(value: object) -> Cell:
