@@ -3,7 +3,7 @@ CONFIG ?= configs/preetham.toml
 PYTHON ?= python3
 RUN := .venv/bin/python -m skylight_sh
 
-.PHONY: help fit test conformance bench speed stability lighting fuzz verify machines noise mutants lint reference clean
+.PHONY: help fit test conformance bench speed stability lighting fuzz verify machines noise mutants lint reference times clean
 
 help: ## List the targets
 	@grep -E '^[a-z]+:.*## ' Makefile | sed -E 's/^([a-z]+):.*## /\1: /' | column -t -s ':' || true
@@ -47,7 +47,7 @@ lint: .venv/dev.stamp ## Check style and types
 reference: .venv/dev.stamp ## Release the default config's result, a picture of a scene and what the README claims into reports/reference
 	@$(RUN) run configs/preetham.toml
 	@$(RUN) run configs/valley.toml >/dev/null
-	@mkdir -p reports/reference && find reports/reference -mindepth 1 ! -name speed.json -delete
+	@mkdir -p reports/reference && find reports/reference -mindepth 1 ! -name speed.json ! -name times.json -delete
 	@cd reports/preetham && cp -r export figures errors.csv references.csv summary.json SHA256SUMS index.html ../reference/
 	@cp reports/valley/figures/surroundings.png reports/reference/valley.png
 	@$(RUN) render courtyard --slices 8 --size 1024x576 --turbidity 2.5 --output reports/reference/day.png
@@ -57,6 +57,10 @@ reference: .venv/dev.stamp ## Release the default config's result, a picture of 
 
 speed: .venv/run.stamp ## Release what `make bench` has measured of the default config, and write the README's figures
 	@.venv/bin/python -m skylight_sh.studies.claims speed reports/preetham/bench
+	@.venv/bin/python -m skylight_sh.studies.claims write
+
+times: .venv/run.stamp ## Measure how long each shipped config takes (ten minutes), and write the README's figures
+	@.venv/bin/python -m skylight_sh.studies.claims time
 	@.venv/bin/python -m skylight_sh.studies.claims write
 
 clean: ## Delete the environment, the store and all runs but the reference

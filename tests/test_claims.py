@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import shutil
 from pathlib import Path
 from types import SimpleNamespace
@@ -12,13 +13,14 @@ import pytest
 from click.testing import CliRunner
 from conftest import ROOT
 from numpy.typing import NDArray
-from skylight_sh import sphere
+from skylight_sh import shipped, sphere
 from skylight_sh.config import Config, parse
 from skylight_sh.config.extending import read
 from skylight_sh.light import spherical_lights
+from skylight_sh.probe import files
 from skylight_sh.report.page import is_noisy
 from skylight_sh.report.report_data import ReportData
-from skylight_sh.studies.claims import readme, scene
+from skylight_sh.studies.claims import readme, scene, times
 from skylight_sh.studies.claims.__main__ import main
 
 Array = NDArray[np.float64]
@@ -116,16 +118,20 @@ def test_the_page_says_what_is_rounding_noise(fit: float, reference: float | Non
 
 
 def test_the_command_writes_blocks_and_releases_speed(tmp_path: Path) -> None:
-    page, reference = tmp_path / "README.md", tmp_path / "reference"
+    reference = tmp_path / "reference"
     shutil.copytree(REFERENCE, reference)
-    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    (tmp_path / "docs").mkdir()
+    texts = {name: (ROOT / name).read_text(encoding="utf-8") for name in readme.PAGES}
+    for name, text in texts.items():
+        last = f"<!-- /{readme.PAGES[name][-1]} -->"
+        (tmp_path / name).write_text(text.replace(last, f"stale\n{last}"), encoding="utf-8")
     places = ["--reference", str(reference)]
-    page.write_text(text.replace("<!-- /ringing -->", "stale\n<!-- /ringing -->"), encoding="utf-8")
-    done = CliRunner().invoke(main, ["write", *places, "--readme", str(page)])
+    done = CliRunner().invoke(main, ["write", *places, "--pages", str(tmp_path)])
     assert done.exit_code == 0, done.output
-    assert page.read_text(encoding="utf-8") == text
+    for name, text in texts.items():
+        assert (tmp_path / name).read_text(encoding="utf-8") == text
     (reference / "speed.json").rename(tmp_path / "speed.json")
-    done = CliRunner().invoke(main, ["write", *places, "--readme", str(page)])
+    done = CliRunner().invoke(main, ["write", *places, "--pages", str(tmp_path)])
     assert done.exit_code == 1
     assert "make bench speed" in done.output
     assert CliRunner().invoke(main, ["speed", str(tmp_path), *places]).exit_code == 0
@@ -133,5 +139,27 @@ def test_the_command_writes_blocks_and_releases_speed(tmp_path: Path) -> None:
     done = CliRunner().invoke(main, ["speed", str(tmp_path / "none"), *places])
     assert done.exit_code == 1
     assert "Run `make bench` first" in done.output
-    with pytest.raises(ValueError, match=r"needs the block \w+ once"):
-        readme.rewrite("", readme.released(reference))
+    with pytest.raises(ValueError, match=r"results\.md needs the block results once"):
+        readme.rewrite("docs/results.md", "", readme.released(reference))
+
+
+def test_the_command_writes_sources_and_a_sky(tmp_path: Path) -> None:
+    reference = tmp_path / "reference"
+    shutil.copytree(REFERENCE, reference, ignore=shutil.ignore_patterns("code", "*.exr"))
+    done = CliRunner().invoke(main, ["code", "--reference", str(reference)])
+    assert done.exit_code == 0, done.output
+    for path in (REFERENCE / "code").iterdir():
+        assert (reference / "code" / path.name).read_bytes() == path.read_bytes()
+    assert files.read(reference / "sky.exr").pixels == pytest.approx(
+        files.read(REFERENCE / "sky.exr").pixels, rel=1e-6, abs=1e-3
+    )
+
+
+def test_run_times_are_those_of_a_run(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of a config that takes a few seconds; half of what the released run took, or ten times, is another machine's."""
+    monkeypatch.setenv("PYTHONPATH", str(ROOT / "pipeline"))
+    released = json.loads((REFERENCE / "times.json").read_text(encoding="utf-8"))["seconds"]
+    assert set(released) <= set(shipped.names())
+    found = times.measure(["fixed-weather"])
+    assert set(found["machine"]) >= {"processor", "cores"}
+    assert 0.2 < found["seconds"]["fixed-weather"] / released["fixed-weather"] < 10

@@ -9,6 +9,7 @@ import sys
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 from click.testing import CliRunner
 from conftest import ROOT, SMALL
@@ -19,6 +20,7 @@ from skylight_sh.run.runner import Result
 from skylight_sh.studies.claims import day, gradient, measured, readme, sources
 
 README = (ROOT / "README.md").read_text(encoding="utf-8")
+RESULTS = (ROOT / "docs" / "results.md").read_text(encoding="utf-8")
 REFERENCE = ROOT / "reports" / "reference"
 
 
@@ -34,8 +36,11 @@ def code(language: str, holding: str) -> str:
 
 
 def test_every_figure_is_the_released_one() -> None:
-    """`make reference` and `make speed` write the blocks; no figure in them is typed."""
-    assert readme.rewrite(README, readme.released(REFERENCE)) == README, "run `python -m skylight_sh.studies.claims write`"
+    """`make reference`, `make speed` and `make times` write the blocks; no figure in them is typed."""
+    for name in readme.PAGES:
+        page = (ROOT / name).read_text(encoding="utf-8")
+        found = readme.rewrite(name, page, readme.released(REFERENCE))
+        assert found == page, "run `python -m skylight_sh.studies.claims write`"
     assert not [line for line in README.splitlines() if len(line) > 127]
 
 
@@ -68,7 +73,7 @@ def test_the_gradient_is_as_right_as_told() -> None:
     # Rounding, another CPU's may be twice as large.
     for place, value in found.items():
         assert 0 < value < 2 * claim[place] < 1e-5
-    told = re.search(r"right to (\S+) of the largest derivative", " ".join(README.split()))
+    told = re.search(r"right to (\S+) of the largest derivative", " ".join(RESULTS.split()))
     assert told
     assert float(told[1]) == pytest.approx(max(claim.values()), rel=0.5)
 
@@ -127,9 +132,10 @@ def near(value: Any, rel: float) -> Any:
 
 def test_c_example_prints_what_it_says(tmp_path: Path) -> None:
     (tmp_path / "sky.c").write_text(code("c", "int main"), encoding="utf-8")
-    flags = ["-std=c99", "-O2", "-Wall", "-Wextra", "-Werror", "-I", str(REFERENCE / "export")]
-    subprocess.run(["cc", *flags, str(tmp_path / "sky.c"), "-o", str(tmp_path / "sky"), "-lm"], check=True)
-    done = subprocess.run([str(tmp_path / "sky")], capture_output=True, text=True, check=True)
+    (tmp_path / "reports").symlink_to(ROOT / "reports")
+    command, _, program = code("sh", "cc -std").strip().partition(" && ")
+    subprocess.run([*command.split(), "-Wall", "-Wextra", "-Werror"], cwd=tmp_path, check=True)
+    done = subprocess.run([program], cwd=tmp_path, capture_output=True, text=True, check=True)
     assert done.stdout.strip() == block("c-output")
 
 
@@ -141,9 +147,23 @@ def test_python_example_prints_what_it_says() -> None:
 
 def test_links_and_targets_exist() -> None:
     for link in re.findall(r"\]\(([^)#]+)\)", README):
-        assert (ROOT / link).exists(), link
+        assert "://" in link or (ROOT / link).exists(), link
     makefile = (ROOT / "Makefile").read_text(encoding="utf-8")
     for target in set(re.findall(r"`make (\w+)`", README)) | set(re.findall(r"^make (\w+)", README, re.MULTILINE)):
         assert re.search(rf"^{target}:", makefile, re.MULTILINE), target
-    for name in re.findall(r"^\| `([\w-]+)` \|", README.split("## Write a config")[1].split("## How")[0], re.MULTILINE):
+    for link in re.findall(r"^\[[\w.-]+\]: (\S+)$", README, re.MULTILINE):
+        assert (ROOT / link).is_file(), link
+    listed = re.findall(r"^\| `([\w-]+)` \|", README.split("## Configs")[1].split("## ")[0], re.MULTILINE)
+    assert len(listed) >= 15
+    for name in listed:
         assert (ROOT / "configs" / f"{name}.toml").is_file(), name
+
+
+def test_the_picture_to_project_is_the_sky_of_the_programs() -> None:
+    command = next(line for line in code("sh", "skylight-sh project").splitlines() if line.startswith("skylight-sh project"))
+    _, name, picture, *rest = command.split()
+    done = CliRunner().invoke(main, [name, str(ROOT / picture), *rest, "--json"])
+    assert done.exit_code == 0, done.output
+    found = np.array([json.loads(done.output)[channel] for channel in ("red", "green", "blue")])
+    true = runtime.load(REFERENCE / "export" / "skylight_sh.npz").weights(0.8, 0.0, 3.0)[:, : found.shape[1]]
+    assert np.abs(found - true).max() < 2e-3 * np.abs(true).max()

@@ -7,8 +7,9 @@ from pathlib import Path
 
 import click
 
+from skylight_sh import shipped
 from skylight_sh.store import atomic
-from skylight_sh.studies.claims import measured, readme, sources
+from skylight_sh.studies.claims import measured, readme, sources, times
 from skylight_sh.studies.speed.speed import FILE
 
 _ROOT = Path(__file__).resolve().parents[4]
@@ -18,8 +19,8 @@ _REFERENCE = click.option(
     default=_ROOT / "reports" / "reference",
     help="Folder of the released run.",
 )
-_README = click.option(
-    "--readme", "page", type=click.Path(dir_okay=False, path_type=Path), default=_ROOT / "README.md", help="The README."
+_PAGES = click.option(
+    "--pages", type=click.Path(file_okay=False, path_type=Path), default=_ROOT, help="Folder of the README and of docs/."
 )
 
 
@@ -51,22 +52,34 @@ def speed(bench: Path, reference: Path) -> None:
 @main.command()
 @_REFERENCE
 def code(reference: Path) -> None:
-    """Write the recommended table as shaders, JavaScript and C# into the folder code."""
+    """Write the recommended table as shaders, JavaScript and C# into the folder code, and a panorama, sky.exr."""
     (reference / "code").mkdir(exist_ok=True)
     for name, data in sources.of(reference).items():
         atomic.write(reference / "code" / name, data)
+    atomic.write(reference / "sky.exr", sources.panorama())
+
+
+@main.command()
+@click.argument("names", nargs=-1)
+@_REFERENCE
+def time(names: tuple[str, ...], reference: Path) -> None:
+    """Run NAMES, or all configs that ship, from nothing, and write how long each took: ten minutes."""
+    found = times.measure(names or shipped.names())
+    atomic.write(reference / times.FILE, (json.dumps(found, indent=2) + "\n").encode())
 
 
 @main.command()
 @_REFERENCE
-@_README
-def write(reference: Path, page: Path) -> None:
-    """Rewrite the README's blocks from summary.json, claims.json and speed.json."""
+@_PAGES
+def write(reference: Path, pages: Path) -> None:
+    """Rewrite the blocks of README.md, docs/guide.md and docs/results.md from summary, claims, speed and times."""
     try:
-        text = readme.rewrite(page.read_text(encoding="utf-8"), readme.released(reference))
+        found = readme.released(reference)
+        for name in readme.PAGES:
+            page = pages / name
+            atomic.write(page, readme.rewrite(name, page.read_text(encoding="utf-8"), found).encode())
     except (OSError, ValueError) as error:
         raise click.ClickException(str(error)) from error
-    atomic.write(page, text.encode())
 
 
 if __name__ == "__main__":

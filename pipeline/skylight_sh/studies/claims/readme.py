@@ -1,4 +1,4 @@
-"""The README's blocks, ``<!-- name -->`` to ``<!-- /name -->``, written from released files and from nothing else."""
+"""Blocks of the README and docs, ``<!-- name -->`` to ``<!-- /name -->``, written from released files and nothing else."""
 
 from __future__ import annotations
 
@@ -23,35 +23,37 @@ _TRUSTED = 0.12
 
 @dataclass(frozen=True)
 class Released:
-    """A released run: its ``folder``, ``summary`` and ``claims``, and the ``speed`` of a benchmark."""
+    """A released run: its ``folder``, ``summary`` and ``claims``, the ``speed`` of a benchmark, the ``times`` of configs."""
 
     folder: Path
     summary: Mapping[str, Any]
     claims: Mapping[str, Any]
     speed: Mapping[str, Any]
+    times: Mapping[str, Any]
 
 
 def released(folder: Path) -> Released:
     """Read a released run. Raises OSError where one of its files is missing, and says what makes it."""
     read = {}
-    for name, maker in (("summary", "make reference"), ("claims", "make reference"), ("speed", "make bench speed")):
+    makers = {"summary": "make reference", "claims": "make reference", "speed": "make bench speed", "times": "make times"}
+    for name, maker in makers.items():
         path = folder / f"{name}.json"
         if not path.is_file():
             raise OSError(f"{path} is missing. Run `{maker}`, which writes it.")
         read[name] = json.loads(path.read_text(encoding="utf-8"))
-    return Released(folder, read["summary"], read["claims"], read["speed"])
+    return Released(folder, read["summary"], read["claims"], read["speed"], read["times"])
 
 
-def rewrite(text: str, found: Released) -> str:
-    """Return the README's ``text`` with every block that is known here as ``found`` has it.
+def rewrite(page: str, text: str, found: Released) -> str:
+    """Return the ``text`` of a ``page`` of ``PAGES`` with every block of it as ``found`` has it.
 
     Raises ValueError where the text lacks a block.
     """
-    for name, write in BLOCKS.items():
+    for name in PAGES[page]:
         if len(re.findall(rf"<!-- {name} -->\n.*?<!-- /{name} -->", text, re.DOTALL)) != 1:
-            raise ValueError(f"README.md needs the block {name} once: `<!-- {name} -->` to `<!-- /{name} -->`. Put it back.")
+            raise ValueError(f"{page} needs the block {name} once: `<!-- {name} -->` to `<!-- /{name} -->`. Put it back.")
         start, end = (text.index(mark) for mark in (f"<!-- {name} -->\n", f"<!-- /{name} -->"))
-        text = f"{text[:start]}<!-- {name} -->\n{write(found)}\n{text[end:]}"
+        text = f"{text[:start]}<!-- {name} -->\n{BLOCKS[name](found)}\n{text[end:]}"
     return text
 
 
@@ -273,7 +275,18 @@ def _ringing(found: Released) -> str:
     return _words(told)
 
 
+def _limits(found: Released) -> str:
+    return _trusted(found)[0]
+
+
 def _daylight(found: Released) -> str:
+    told, rows = _trusted(found)
+    told += " In klx on the horizontal, ours / IES RP-21 (1984) for a clear day (`make bench` prints other turbidities):"
+    return f"{_words(told)}\n\n{_table(['sun, degrees high', 'sky', 'sun', 'both'], rows)}"
+
+
+def _trusted(found: Released) -> tuple[str, list[list[str]]]:
+    """Return in words which lux to trust, and a row a height of the sun."""
     claim = found.claims["daylight"]
     rows, ratios = [], {}
     for row in claim["heights"]:
@@ -289,10 +302,9 @@ def _daylight(found: Released) -> str:
         together send down the light of a clear day within {100 * off:.0f} %, but only since two errors cancel: the
         Preetham sky alone is {min(skies):.1f} to {max(skies):.1f} times as bright as was published, its sun dimmer. Trust
         that total. Do not trust the sky's lux alone, nor a low sun: on the horizon the sky is {ratios[0][0]:.0f} times
-        too bright. In klx on the horizontal, ours / IES RP-21 (1984) for a clear day (`make bench` prints other
-        turbidities):"""
+        too bright."""
     )
-    return f"{told}\n\n{_table(['sun, degrees high', 'sky', 'sun', 'both'], rows)}"
+    return told, rows
 
 
 def _valley(found: Released) -> str:
@@ -331,18 +343,87 @@ def _lighting(found: Released) -> str:
     return f"{told}\n\n{_table(['table', 'E_mean', 'light on a surface', 'a picture'], rows)}"
 
 
+def _choice(found: Released) -> str:
+    """Say which table to take for which need: the recommended one first, then the extremes."""
+    rows = {row["name"]: row for row in found.summary["tables"]}
+    times = {row["name"]: row["times"]["portable"]["ns"]["median"] for row in found.speed["candidates"]}
+    unpacked = {row["name"].partition(":")[0]: row for row in found.speed["candidates"] if row["kind"] == "unpacked table"}
+    best = rows[found.summary["recommended"]]
+    alike = [row for row in rows.values() if row["e_mean"] < _ALIKE * best["e_mean"]]
+    plain, packed = ([row for row in alike if (row["layout"] == "packed") == wanted] for wanted in (False, True))
+    needs = {
+        "shadows by precomputed transfer, normal maps: **take this one**": best,
+        "the same in less memory; unpack it once": min(
+            (row for row in packed if row["bands"] == best["bands"]), key=lambda row: row["bytes"]
+        ),
+        "diffuse light, soft shadows": min(plain, key=lambda row: row["bytes"]),
+        "the fastest call": min(rows.values(), key=lambda row: times[row["name"]]),
+        "the fewest bytes: a phone, a web page": min(rows.values(), key=lambda row: row["bytes"]),
+        "offline pictures, a reference": min(rows.values(), key=lambda row: row["e_mean"]),
+    }
+    lines = []
+    for need, row in needs.items():
+        name = row["name"]
+        lost = found.claims["lighting"]["tables"][name]["irradiance"][0]
+        once = f"; unpacked {unpacked[name]['times']['portable']['ns']['median']:,.0f}" if name in unpacked else ""
+        cells = [f"{row['bytes']:,}", f"{times[name]:,.0f}{once}", f"{100 * row['e_mean']:.2g} %", _share(lost)]
+        lines.append([need, f"[{name}][]", *cells])
+    processor = found.speed["machine"]["processor"]
+    told = _words(
+        f"""ns: one call in C, in three colours, at -O3 on {processor}. E_mean: the largest error of all weights together, as
+        a share of the darkest part of the same sky. Last column: by how much the light on a surface is off at most. The
+        number of bands matters more: {_bands_lose(found)}, whatever the table, since so few bands cannot hold the sky
+        itself. All {len(rows)} tables and their rivals: [results](docs/results.md)."""
+    )
+    heading = ["what for", "table, a C header", "bytes", "ns", "E_mean", "light on a surface"]
+    links = (f"[{row['name']}]: reports/reference/{row['path']}/skylight_sh.h" for row in needs.values())
+    return "\n\n".join([_table(heading, lines), told, "\n".join(dict.fromkeys(links))])
+
+
+def _bands_lose(found: Released) -> str:
+    tables = found.summary["tables"]
+    worst = {row["bands"]: found.claims["lighting"]["tables"][row["name"]]["bands"][0] for row in tables}
+    return " and ".join(f"{n} bands lose up to {_share(lost)}" for n, lost in sorted(worst.items()))
+
+
+def _times(found: Released) -> str:
+    machine, seconds = found.times["machine"], found.times["seconds"]
+    by_time: dict[int, list[str]] = {}
+    for name, time in sorted(seconds.items()):
+        by_time.setdefault(next(most for most in _TIMES if time <= most), []).append(name)
+    parts = "; ".join(f"up to {most} s: {', '.join(f'`{name}`' for name in by_time[most])}" for most in sorted(by_time))
+    return _words(
+        f"""Seconds of one processor ({machine["processor"]}), from nothing to the report; several cores take less.
+        {parts[0].upper()}{parts[1:]}. A second run takes half a second: every stage is cached in `artifacts/`."""
+    )
+
+
 def _day(found: Released) -> str:
     claim = found.claims["day"]
     parts = int(float(f"{claim['error'] / claim['from_table']:.2g}"))
     return _words(
-        f"""{claim["bytes"]:,} bytes hold the light of this sky for every hour and weather. Precomputed transfer makes its
+        f"""{claim["bytes"]:,} bytes hold the light of this sky for every hour and haze. Precomputed transfer makes its
         shadows and bounces, shadow rays the sun's. Beside path tracing the picture is off by {_share(claim["error"])} (RMS);
         the table's own part of that is {_share(claim["from_table"], 1)}, one part in {parts:,}."""
     )
 
 
+# Tables whose errors are called alike, and classes of run times in seconds.
+_ALIKE = 1.1
+_TIMES = (5, 10, 20, 30, 60, 120, 300, 600, 3600)
+
+PAGES: Mapping[str, tuple[str, ...]] = {
+    "README.md": ("day", "choice", "c-output", "py-output", "limits", "times"),
+    "docs/guide.md": ("fit",),
+    "docs/results.md": ("results", "lighting", "speed", "gradient", "ringing", "pictures", "daylight", "valley"),
+}
+"""The blocks of each page, by its path."""
+
 BLOCKS: Mapping[str, Callable[[Released], str]] = {
     "day": _day,
+    "choice": _choice,
+    "limits": _limits,
+    "times": _times,
     "results": _results,
     "speed": _speed,
     "fit": _fit,

@@ -1,15 +1,23 @@
-"""A released table as sources of other languages, so that nobody must run anything to use it."""
+"""A released table as sources of other languages, so that nobody must run anything to use it, and a picture to project."""
 
 from __future__ import annotations
 
 import json
 from pathlib import Path
 
-from skylight_sh import runtime
+import numpy as np
+
+from skylight_sh import probe, runtime
 from skylight_sh.export import targets
+from skylight_sh.light.preetham import Preetham
+from skylight_sh.render.files import exr
 from skylight_sh.run.stages.export import told_of
 from skylight_sh.run.verify import released_config
 
+SKY = {"sun_zenith": 0.8, "turbidity": 3.0}
+"""Of the panorama, its sun at azimuth 0."""
+
+_ROWS = 64
 TARGETS = ("glsl", "hlsl", "wgsl", "javascript", "csharp")
 
 
@@ -23,3 +31,9 @@ def of(folder: Path) -> dict[str, bytes]:
     row = next(row for row in rows if row["name"] == config.export.recommended)
     table = runtime.read(folder / row["path"] / "skylight_sh.npz")
     return targets.write(TARGETS, table, told_of(config, row), row["prefix"])
+
+
+def panorama() -> bytes:
+    """Return a Preetham sky as a panorama of floats, 128 pixels across, an OpenEXR file."""
+    parameters = {name: np.array([value]) for name, value in SKY.items()}
+    return exr(probe.render(Preetham(), parameters, "equirect", _ROWS, 2 * _ROWS))
