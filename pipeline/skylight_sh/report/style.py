@@ -35,8 +35,8 @@ SIGNED_MAP = "PuOr"
 # Inches of a page's column, and pixels of a picture that wide: two by two for each that is shown.
 WIDTH = 5.0
 _PIXELS = 1100.0
-# How far off a colour may be of 255, and of what share of the pixels it may be further.
-_SEEN, _FEW = 15, 1e-3
+# How far off a colour may be of 255, of what share of the pixels it may be further, and how many are looked at.
+_SEEN, _FEW, _EACH = 15, 1e-3, 3
 # The least width in pixels at which letters are to be legible, and how high they then are.
 _PHONE, _LETTERS = 360.0, 11.0
 
@@ -149,14 +149,14 @@ def png(drawn: Figure) -> bytes:
 def _fewer_colours(image: Image.Image) -> Image.Image:
     """Return lines and letters in 256 colours, which takes a third of the bytes; an image of gradients as it is."""
     palette = image.quantize(256, method=Image.Quantize.FASTOCTREE, dither=Image.Dither.NONE)
-    paper = np.asarray(image).min(axis=-1) == 255
-    if paper.any():
+    if image.getpixel((0, 0)) == (255, 255, 255):
         # White stays white.
-        place = int(np.asarray(palette)[paper][0])
+        place = int(np.asarray(palette)[0, 0])
         colours = palette.getpalette() or []
         colours[3 * place : 3 * place + 3] = [255] * 3
         palette.putpalette(colours)
-    off = np.abs(np.asarray(palette.convert("RGB"), dtype=np.int16) - np.asarray(image, dtype=np.int16)).max(axis=-1)
+    some = (slice(None, None, _EACH), slice(None, None, _EACH))
+    off = np.abs(np.asarray(palette.convert("RGB"))[some].astype(np.int16) - np.asarray(image)[some]).max(axis=-1)
     return palette if np.count_nonzero(off > _SEEN) <= _FEW * off.size else image
 
 

@@ -16,19 +16,22 @@ CAPTION = (
     "fit: lower degrees are its truncations. Two axes are shown, further ones at the degree named above the picture."
 )
 
+# Errors below are rounding alone: of a light that a few terms are exactly.
+_EXACT = 1e-9
+
 
 def draw(data: ReportData) -> Figure | None:
-    """Draw the first two axes' degrees; further axes stand at their largest. None where nothing was swept."""
+    """Draw the first two axes' degrees; further axes stand at their largest. None where nothing was swept, or all exact."""
     sweep, bands = data.sweep, data.best.table.bands
     error = sweep.e_mean[0, :, :, bands - 1].max(axis=1)
-    if error.size < 2:
+    if error.size < 2 or error.max() < _EXACT:
         return None
     if len(data.axes) == 1:
-        figure, found = style.panels(style.WIDTH, 3.4, left=1.1, top=0.15, bottom=0.6)
+        figure, found = style.panels(style.WIDTH, 3.6, left=1.3, top=0.4, bottom=0.6)
         axes = found[0, 0]
-        axes.semilogy(sweep.degrees[:, 0], error, marker="o", color=style.BLUE)
+        axes.semilogy(sweep.degrees[:, 0], np.maximum(error, _EXACT), marker="o", color=style.BLUE)
         axes.set_xlabel(f"degree in {_name(data, 0)}")
-        axes.set_ylabel("largest E_mean")
+        axes.set_title("largest E_mean", fontsize=11)
         axes.yaxis.set_major_formatter(style.percent_ticks())
         style.decades(axes.yaxis)
         axes.grid(True, alpha=0.3)
