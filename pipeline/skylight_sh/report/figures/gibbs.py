@@ -106,7 +106,9 @@ def _panoramas(figure: Figure, study: Study, bands: int, top: float) -> None:
             at = int(found.worst[g, found.windows.index(window), b])
             picture = panorama.expansion((lit[at] * factors[window])[np.newaxis])[..., 0] / study.brightest[at]
             panel = style.bar(figure, 0.35 + w * (1.47 + _GAP), bottom, 1.47, 0.98)
-            image = panel.imshow(picture, extent=panorama.EXTENT, aspect="auto", cmap="PuOr_r", norm=scale)
+            image = panel.imshow(
+                picture, extent=panorama.EXTENT, aspect="auto", cmap="PuOr_r", norm=scale, interpolation="nearest"
+            )
             low = style.percent(min(float(f"{picture.min():.2g}"), 0.0))
             panel.set_title(f"{_HEADS[w]}\n{low}" if g == 0 else low, fontsize=11, pad=3)
             panel.set_xticks([])

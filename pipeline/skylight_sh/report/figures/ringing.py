@@ -38,7 +38,9 @@ def draw(data: ReportData) -> Figure | None:
     grid = figure.add_gridspec(3, 2, height_ratios=(1.0, 0.08, 1.7))
     left, middle = (figure.add_subplot(grid[0, i]) for i in range(2))
     for panel, picture, title in ((left, before, "original"), (middle, after, "windowed")):
-        image = panel.imshow(picture, extent=panorama.EXTENT, aspect="auto", cmap="PuOr_r", vmin=-reach, vmax=reach)
+        image = panel.imshow(
+            picture, extent=panorama.EXTENT, aspect="auto", cmap="PuOr_r", vmin=-reach, vmax=reach, interpolation="nearest"
+        )
         low = style.percent(float(picture[len(picture) // 2 :].min() / sky.max()))
         panel.set_title(f"{title}:\nlowest {low}", fontsize=11)
         panel.set_xticks([-120, 0, 120])
@@ -63,7 +65,7 @@ def draw(data: ReportData) -> Figure | None:
     below.set_ylabel(f"luminance ({unit})")
     below.yaxis.set_major_formatter(style.plain_ticks())
     below.legend(fontsize=11, loc="upper left")
-    figure.suptitle("\n".join(textwrap.wrap(f"{data.best.name}, {data.describe(values)}", 44)), fontsize=11)
+    figure.suptitle("\n".join(textwrap.wrap(f"{data.best.name}, {data.describe(values)}", 50)), fontsize=11)
     return figure
 
 
