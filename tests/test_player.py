@@ -286,7 +286,7 @@ def test_other_scenes_have_a_page(window: Browser, tmp_path: Path, name: str) ->
         _set(window, sun_zenith=0.3)
         assert (window.canvas("sky") != seen).any()
     window.run("document.getElementById('player-engine').open = true")
-    for format_ in ("c", "glsl", "json", "python"):
+    for format_ in ("c", "glsl", "json"):
         chosen = f"Object.assign(document.getElementById('player-format'), {{ value: '{format_}' }})"
         window.run(f"{chosen}.dispatchEvent(new Event('input'))")
         assert len(window.run("document.getElementById('player-code').textContent")) > 40

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import base64
 import json
+import math
 import re
 import zlib
 from collections.abc import Sequence
@@ -17,19 +18,26 @@ from typing import Any
 
 import numpy as np
 
+from skylight_sh import sphere
 from skylight_sh.export import javascript, prefixes, statements
 from skylight_sh.export.c_header import Facts
+from skylight_sh.formula import harmonics
 from skylight_sh.light import colour, preetham, sun_disc
 from skylight_sh.light.preetham import Preetham
+from skylight_sh.quadrature import sun_centred
+from skylight_sh.quadrature.sun_centred import Nodes
 from skylight_sh.report import courtyard
 from skylight_sh.report.amounts import percent
 from skylight_sh.report.report_data import Entry, ReportData
 from skylight_sh.runtime import Axis, Packed, Table, flat_places
 from skylight_sh.table.size import bytes_of
+from skylight_sh.transfer.random_suns import CLEAR
 
 # The paper's own fit, as runs name it; the first one that a run has.
 PAPER = ("paper-literal", "paper-svd")
 SHADERS = ("scene.vert", "scene.frag", "sky.vert", "sky.frag", "shadow.vert", "shadow.frag", "tone.frag")
+# Gauss nodes of the page's own truth, which errs by 1e-8 of a sky's largest weight.
+_NODES = Nodes.usual(40)
 # A line of a table's numbers, and what stands in its place in a module without them.
 _NUMBERS = re.compile(r"^[-\d.eE, ]+$", re.M)
 _GAP, _END = "\x01", "\x02"
@@ -40,6 +48,8 @@ def of(data: ReportData) -> dict[str, Any]:
     """Return what ``player.html.j2`` shows; ``json`` is what its script reads."""
     entries = [*data.winners, *_papers(data)]
     best = data.best.table
+    height = _height(best)
+    moves = height is not None and best.spec.azimuth is None
     scene = _lights_courtyard(data, best)
     shipped: dict[str, Any] = {}
     if scene:
@@ -49,9 +59,8 @@ def of(data: ReportData) -> dict[str, Any]:
         "best": data.recommended,
         "entries": [_about(data, entry) for entry in entries],
         "bands": max(entry.table.bands for entry in entries),
-        "sun": _height(best),
-        "has_sun": best.spec.peak_axis in [axis.name for axis in best.spec.axes],
-        "turns": best.spec.azimuth is None and best.spec.peak_axis is not None,
+        "sun": height,
+        "moves": moves,
         "exact": _formula(data, best) is not None,
         "scene": scene,
         "disc": scene and isinstance(data.light, Preetham),
@@ -69,10 +78,14 @@ def of(data: ReportData) -> dict[str, Any]:
                 "modules": written(modules([_module(data, entry) for entry in entries])),
                 "channels": len(best.channels),
                 "luminance": data.light.luminance_row.tolist(),
-                "sun": best.spec.peak_axis,
+                "sun": best.spec.peak_axis if height else None,
+                "zeniths": [math.radians(90.0 - height[end]) for end in ("high", "low")] if height else None,
+                "moves": moves,
+                "azimuth": best.spec.azimuth,
                 "formula": _formula(data, best),
+                "legendre": _legendre(max(entry.table.bands for entry in entries)),
                 "disc": _disc() if scene and isinstance(data.light, Preetham) else None,
-                "fixed": data.settings["scene"]["fixed"],
+                "tau": data.settings["scene"]["fixed"].get("turbidity", CLEAR),
                 **shipped,
             }
         ),
@@ -127,6 +140,7 @@ def _about(data: ReportData, entry: Entry) -> dict[str, Any]:
         "inputs": statements.inputs_of(table),
         "prefix": _prefixes(data).get(entry.name, data.settings["export"]["prefix"]),
         "paper": entry not in data.winners,
+        "irradiance": table.spec.quantity == "irradiance",
         "ground": table.spec.ground if isinstance(table.spec.ground, str) else "folded",
     }
 
@@ -150,7 +164,31 @@ def _formula(data: ReportData, table: Table) -> dict[str, Any] | None:
     if not isinstance(light, Preetham) or not _lights_courtyard(data, table) or spec.ground not in ("black", "mirror"):
         return None
     perez, zenith = preetham.constants_of(light.constants)
-    return {"perez": perez.tolist(), "zenith": zenith.tolist(), "rgb": colour.matrix(light.colour_space).tolist()}
+    to_rgb = colour.matrix(light.colour_space)
+    model = {"perez": perez.tolist(), "zenith": zenith.tolist(), "rgb": to_rgb.tolist()}
+    return model | {"rgbColumns": to_rgb.T.ravel().tolist(), "rule": _rule()}
+
+
+def _rule() -> dict[str, list[list[float]]]:
+    """Return nodes and weights on [0, 1] of the rule that sums the sky: circles' angles, arcs, and turns about the sun."""
+    arcs = sphere.gauss(_NODES.arcs)
+    rule = {
+        "circles": sun_centred.graded(_NODES.circles, _NODES.power),
+        "turns": sun_centred.graded(_NODES.waves, sun_centred.WAVE_POWER),
+        "arcs": (np.pi / 2 * arcs[0], np.pi / 2 * arcs[1]),
+    }
+    return {name: np.column_stack(pair).tolist() for name, pair in rule.items()}
+
+
+def _legendre(bands: int) -> list[dict[str, Any]]:
+    """Return what the recurrence of each order m takes: its start, and the factors of the degrees l > m."""
+    rows = []
+    for m in range(bands):
+        steps = [
+            [float(harmonics.ahead(l, m)), float(harmonics.behind(l, m)) if l > m + 1 else 0.0] for l in range(m + 1, bands)
+        ]
+        rows.append({"start": harmonics.sectoral(m), "steps": steps})
+    return rows
 
 
 def _disc() -> dict[str, Any]:

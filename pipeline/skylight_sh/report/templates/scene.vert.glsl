@@ -11,8 +11,9 @@ layout(location = 8) in vec4 fourth;
 uniform mat4 camera, towardsSun;
 uniform vec3 light[17], palette[16];
 uniform float open, texel;
-out vec3 lit, albedo, facing, inShadowMap;
-out vec2 place;
+// Within the triangle, or at its edges a steep light would be prolonged to below nothing.
+centroid out vec3 lit, albedo, facing, inShadowMap;
+centroid out vec2 place;
 flat out int material;
 
 vec3 summed(vec4 four, int at) {
