@@ -46,6 +46,8 @@ lint: .venv/dev.stamp ## Check style and types
 
 reference: .venv/dev.stamp ## Release the default config's result, a picture of a scene and what the README claims into reports/reference
 	@$(RUN) run configs/preetham.toml
+	@.venv/bin/python -m skylight_sh.studies.courtyard reports/preetham/export/skylight_sh.npz
+	@$(RUN) run configs/preetham.toml >/dev/null
 	@$(RUN) run configs/valley.toml >/dev/null
 	@mkdir -p reports/reference && find reports/reference -mindepth 1 ! -name speed.json ! -name times.json -delete
 	@cd reports/preetham && cp -r export figures errors.csv references.csv summary.json SHA256SUMS index.html ../reference/

@@ -17,11 +17,19 @@ from skylight_sh import runtime, sphere
 from skylight_sh.config import load
 from skylight_sh.light import colour, sun_disc
 from skylight_sh.light.preetham import Preetham
+from skylight_sh.mesh.courtyard import MORNING
+from skylight_sh.mesh.courtyard import courtyard as made_courtyard
 from skylight_sh.quadrature import sun_centred
 from skylight_sh.quadrature.least_luminance import refine
+from skylight_sh.render import picture, tone
+from skylight_sh.render.camera import Camera
+from skylight_sh.render.sky import Sky
+from skylight_sh.render.surface import Surface
 from skylight_sh.report import courtyard
 from skylight_sh.run.runner import Result
 from skylight_sh.scene import solar
+from skylight_sh.studies.courtyard import split
+from skylight_sh.transfer import compression
 
 WIDTHS = (320, 360, 768, 1280)
 SMALL_CIE = ROOT / "tests" / "small-cie.toml"
@@ -196,7 +204,7 @@ def test_keys_drags_and_buttons_move_the_sun(page: Browser) -> None:
     dragged = _state(page)
     assert math.degrees(moved["sun_zenith"] - dragged["sun_zenith"]) == pytest.approx(10.0, abs=0.5)
     assert dragged["sun_azimuth"] != moved["sun_azimuth"]
-    page.run("document.querySelector('[data-preset=noon]').click()")
+    page.run("document.querySelector('[data-preset*=noon]').click()")
     assert _state(page)["sun_zenith"] < math.radians(35)
 
 
@@ -303,3 +311,38 @@ def test_the_courtyards_file_gives_back_what_was_packed() -> None:
     found = courtyard.unpack(courtyard.pack(packed))
     assert {name: values.tolist() for name, values in found.columns.items()} == {n: v.tolist() for n, v in columns.items()}
     assert (found.blobs, found.facts) == (packed.blobs, packed.facts)
+
+
+@pytest.mark.tools
+@pytest.mark.parametrize("at", [(1.3788, 0.1745, 3.0), (0.6, -1.1, 4.5)], ids=["morning", "noon"])
+def test_the_page_draws_what_the_offline_renderer_does(
+    page: Browser, small_run: Result, at: tuple[float, float, float]
+) -> None:
+    zenith, azimuth, turbidity = at
+    table = runtime.load(small_run.folder / "export" / "skylight_sh.npz")
+    sky = np.asarray(table.weights(*at), dtype=np.float64)
+    sun = float(sun_disc.normal_illuminance(zenith, turbidity)) * math.cos(zenith)
+    lux = float(np.sqrt(4.0 * np.pi / 3.0) * sky[:, 2] @ tone.LUMINANCE) + sun
+    found = courtyard.unpack(courtyard.shipped())
+    bands, count = found.facts["bands"], found.facts["components"]
+    components = np.stack([found.columns[f"component_{k}"] for k in range(count)], axis=-1)
+    matrix = found.columns["matrix"].reshape(count + 1, -1) * np.array(found.facts["scales"])[:, np.newaxis]
+    weights = np.zeros((3, bands**2))
+    weights[:, : sky.shape[1]] = sphere.mirror_ground(sky, 4)
+    lit = compression.lit(compression.Compressed(components.astype(np.int8), matrix), weights, np.zeros_like(weights))
+    mesh = made_courtyard()
+    seen, _ = split(mesh, MORNING)
+    values = np.zeros((len(mesh.positions), 3))
+    values[np.unique(mesh.triangles[seen])] = lit
+    behind = Sky(Preetham(), {"sun_zenith": zenith, "turbidity": turbidity}, azimuth, below="mirror").radiance
+    view = MORNING.view
+    camera = Camera(view.eye, view.target, view.field, 640, 360)
+    sampling = picture.Sampling(pixel=8)
+    taken = picture.take(camera, Surface(mesh), lambda points, _: points.interpolate(values), behind, [], sampling)
+    expected = 255.0 * tone.display(taken.radiance, tone.exposure(lux))
+    _set(page, sun_zenith=zenith, sun_azimuth=azimuth, turbidity=turbidity, bands=4, view="bounces")
+    drawn = page.canvas("canvas")
+    assert drawn.shape == expected.shape
+    off = np.abs(drawn - expected).max(axis=-1)
+    assert np.median(off) <= 1.0
+    assert np.percentile(off, 95.0) <= 4.0

@@ -20,6 +20,8 @@ from numpy.typing import NDArray
 Ints = NDArray[np.int64]
 
 FILE, POSTER = "courtyard.bin", "courtyard.webp"
+BANDS = 7
+"""Bands of its transfer."""
 _LEVEL = 9
 
 

@@ -83,7 +83,7 @@ def of(data: ReportData) -> dict[str, Any]:
                 "moves": moves,
                 "azimuth": best.spec.azimuth,
                 "formula": _formula(data, best),
-                "legendre": _legendre(max(entry.table.bands for entry in entries)),
+                "legendre": _legendre(max(courtyard.BANDS, *(entry.table.bands for entry in entries))),
                 "disc": _disc() if scene and isinstance(data.light, Preetham) else None,
                 "tau": data.settings["scene"]["fixed"].get("turbidity", CLEAR),
                 **shipped,

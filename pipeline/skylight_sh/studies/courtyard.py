@@ -1,7 +1,7 @@
-"""Makes the courtyard that the report's page draws: ``python -m skylight_sh.studies.courtyard`` writes it into the package.
+"""Makes the courtyard that the report's page draws: ``python -m skylight_sh.studies.courtyard TABLE.npz`` writes it.
 
 The mesh is that of ``configs/courtyard.toml``. Its transfer has seven bands, so that the page can show one to seven, for
-skies of the released table over a black ground and mirrored at the horizon. Needs the extra ``transfer``; takes a minute.
+skies of a table over a black ground and mirrored at the horizon. Needs the extra ``transfer``; takes a minute.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from PIL import Image
 
 from skylight_sh import runtime, shipped, sphere
 from skylight_sh.config import load
-from skylight_sh.export.transfer_files import losses
+from skylight_sh.export.transfer_files import losses, told
 from skylight_sh.light import sun_disc
 from skylight_sh.light.preetham import Preetham
 from skylight_sh.mesh import Mesh
@@ -32,7 +32,7 @@ from skylight_sh.render.emitters import Disc
 from skylight_sh.render.sky import Sky
 from skylight_sh.render.surface import Points, Surface
 from skylight_sh.report import courtyard as shipped_file
-from skylight_sh.report.courtyard import Packed
+from skylight_sh.report.courtyard import BANDS, Packed
 from skylight_sh.run.steps import mesh_source
 from skylight_sh.runtime import Runtime
 from skylight_sh.store import atomic
@@ -44,7 +44,7 @@ from skylight_sh.transfer.whole import precompute
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-BANDS, COMPONENTS = 7, 16
+COMPONENTS = 16
 # A length's unit is a millimetre, a normal's 1/500, a texture coordinate's 1/4096 of the texture.
 UNITS = {"position": 1e-3, "normal": 2e-3, "uv": 2.0**-12}
 # Whole numbers that a row of the matrix has either way.
@@ -59,14 +59,14 @@ _QUALITY = {"poster": 74, "paving": 72, "wall": 80, "arcade": 80, "cypress 1": 7
 
 
 @click.command()
-def main() -> None:
-    """Write the courtyard and its poster beside the report's modules."""
+@click.argument("table", type=click.Path(exists=True, dir_okay=False, path_type=Path))
+def main(table: Path) -> None:
+    """Write the courtyard, for skies of TABLE, and its poster beside the report's modules."""
     root = Path(shipped_file.__file__).parent
-    table = runtime.load(shipped.folder().parent / "reports" / "reference" / "export" / "skylight_sh.npz")
-    packed, poster = make(table)
+    packed, poster = make(runtime.load(table))
     atomic.write(root / shipped_file.FILE, shipped_file.pack(packed))
     atomic.write(root / shipped_file.POSTER, poster)
-    click.echo(f"{shipped_file.FILE}: {packed.facts}")
+    click.echo(f"{shipped_file.FILE}: {told(packed.facts['lost'])}")
 
 
 def make(table: Runtime) -> tuple[Packed, bytes]:

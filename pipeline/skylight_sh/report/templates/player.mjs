@@ -719,12 +719,11 @@ function soon(changes) {
   waiting = { ...waiting, ...changes };
 }
 
-const PRESETS = {
-  morning: () => ({ [sunName]: 79 * DEGREE, sun_azimuth: 10 * DEGREE, turbidity: 3 }),
-  noon: () => ({ turbidity: 3, minutes: day().noon }),
-  sunset: () => ({ [sunName]: 86 * DEGREE, sun_azimuth: 230 * DEGREE, turbidity: 3.5 }),
-  hazy: () => ({ [sunName]: 66 * DEGREE, sun_azimuth: -35 * DEGREE, turbidity: 6 }),
-};
+// What a button asks for: a sun in degrees, or noon at the place; a turbidity where the table has it.
+function preset({ height, azimuth, noon, turbidity }) {
+  const sun = noon ? { minutes: day().noon } : { [sunName]: (90 - height) * DEGREE, sun_azimuth: azimuth * DEGREE };
+  set("turbidity" in state ? { ...sun, turbidity } : sun);
+}
 
 function play() {
   const step = () => {
@@ -787,8 +786,7 @@ function listen() {
     });
   }
   for (const button of document.querySelectorAll("#player [data-preset]")) {
-    const known = ([key]) => key in state;
-    button.addEventListener("click", () => set(Object.fromEntries(Object.entries(PRESETS[button.dataset.preset]()).filter(known))));
+    button.addEventListener("click", () => preset(JSON.parse(button.dataset.preset)));
   }
   $("play")?.addEventListener("click", play);
   $("copy").addEventListener("click", copy);
