@@ -4,12 +4,19 @@ from __future__ import annotations
 
 import json
 import re
+import shutil
 import subprocess
+from collections.abc import Iterator
+from contextlib import contextmanager
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
+from threading import Thread
 
 import numpy as np
 import pytest
 import shader_tools
+from browser import browser
 from conftest import ROOT
 from numpy.typing import NDArray
 from skylight_sh import runtime, sphere
@@ -222,3 +229,46 @@ def test_the_page_for_three_js_fills_what_evaluate_prints(tmp_path: Path) -> Non
     assert isinstance(printed, dict)
     expected = np.array(printed["object"]["sh"]).reshape(9, 3)
     assert np.array(json.loads(done.stdout)) == pytest.approx(expected, abs=1e-5 * np.abs(expected).max())
+
+
+@contextmanager
+def served(folder: Path) -> Iterator[str]:
+    """The address of a server of a folder's files."""
+    handler = partial(Quiet, directory=str(folder))
+    with ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
+        thread = Thread(target=server.serve_forever)
+        thread.start()
+        yield f"http://127.0.0.1:{server.server_port}"
+        server.shutdown()
+        thread.join()
+
+
+class Quiet(SimpleHTTPRequestHandler):
+    """Tells nothing of what it served."""
+
+    def log_message(self, *_: object) -> None:
+        return
+
+
+@pytest.mark.tools
+def test_the_page_for_three_js_shows_light_that_follows_the_hour(tmp_path: Path) -> None:
+    """As the README says: three.js beside the page, a server, a browser. The ground darkens towards the evening."""
+    package = next(word for word in code("sh", "npm install").split() if word.startswith("three@"))
+    for folder in ("examples", "reports/reference/code"):
+        shutil.copytree(ROOT / folder, tmp_path / folder, ignore=shutil.ignore_patterns("node_modules", "package*"))
+    quiet = ["--ignore-scripts", "--no-audit", "--no-fund", "--silent"]
+    subprocess.run(["npm", "install", "--prefix", str(tmp_path / "examples"), *quiet, package], check=True)
+    with served(tmp_path) as address, browser(tmp_path / "profile") as window:
+        window.size(320, 200)
+        window.call("Page.navigate", url=f"{address}/examples/three.html")
+        window.run("new Promise((done) => document.readyState === 'complete' ? done() : addEventListener('load', done))")
+        grounds = []
+        for hour in (12, 17.5):
+            window.run(f"hour.value = {hour}; hour.dispatchEvent(new Event('input', {{ bubbles: true }})); null")
+            window.frames()
+            # In a corner right of the sliders, where no shadow falls.
+            grounds.append(window.picture()[180:195, 290:315].mean(axis=(0, 1)))
+        assert window.errors == []
+    noon, evening = grounds
+    assert noon.min() > 60
+    assert evening.sum() < 0.8 * noon.sum()

@@ -402,9 +402,10 @@ def _day(found: Released) -> str:
     claim = found.claims["day"]
     parts = int(float(f"{claim['error'] / claim['from_table']:.2g}"))
     return _words(
-        f"""{claim["bytes"]:,} bytes hold the light of this sky for every hour and haze. Precomputed transfer makes its
-        shadows and bounces, shadow rays the sun's. Beside path tracing the picture is off by {_share(claim["error"])} (RMS);
-        the table's own part of that is {_share(claim["from_table"], 1)}, one part in {parts:,}."""
+        f"""A table of {claim["bytes"]:,} bytes ({claim["bands"]} bands) holds the light of this sky for every hour and haze.
+        Precomputed transfer makes its shadows and bounces; the sun's own come from shadow rays. Beside path tracing the
+        picture is off by {_share(claim["error"])} (RMS); the table's part of that is {_share(claim["from_table"], 1)}, one
+        part in {parts:,}."""
     )
 
 
