@@ -99,7 +99,7 @@ def _means(entry: Entry, timings: Timings) -> str:
 
 def scale(data: ReportData) -> str:
     """Return in words what errors of a run's tables are divided by."""
-    darkest = "mean luminance of the same sky" if data.conventions[0] == "mean" else "least luminance of the same sky"
+    luminance = "mean luminance" if data.conventions[0] == "mean" else "least luminance"
     if data.best.table.spec.quantity == "irradiance":
-        return f"lux below an even sky of the {darkest}"
-    return darkest
+        return f"what an even sky gives in lux that has the same sky's {luminance} all over"
+    return f"the {luminance} of the same sky"

@@ -16,10 +16,11 @@ SEE = (
 )
 CAPTION = (
     "The paper's figure 3: the largest errors over all parameter sets and channels, in per cent of the least radiance of "
-    "each set, against the number of bands. Tables are measured as shipped, in their own number type. Crosses, for the "
-    "paper's sky: the two bounds on E_mean that it quotes (1.5 % at 7 bands, 0.005 % up to 5), against its own samples. "
-    "Bytes are those of the recommended table's bands. A reference by the normal equations (paper-normal) is what rounding "
-    "leaves of its system: that curve is this machine's, and another CPU's may differ by most of itself."
+    "each set (for irradiance: of an even sky's that has it), against the number of bands. Tables are measured as shipped, "
+    "in their own number type. Crosses, for the paper's sky: the two bounds on E_mean that it quotes (1.5 % at 7 bands, "
+    "0.005 % up to 5), against its own samples. Bytes are those of the recommended table's bands. A reference by the normal "
+    "equations (paper-normal) is what rounding leaves of its system: that curve is this machine's, and another CPU's may "
+    "differ by most of itself."
 )
 # Habel et al. 2008, section 3.2.
 _QUOTED = ((7, 0.015), (5, 0.00005))

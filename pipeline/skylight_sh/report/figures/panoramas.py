@@ -22,9 +22,10 @@ Array = NDArray[np.float64]
 SEE = "Table and truth look alike, so look at the differences, which are stretched to their largest value."
 CAPTION = (
     "The paper's figure 2: the sky itself, its SH expansion from converged weights, and for each table its expansion and "
-    "the difference from that of the true weights, in per cent of the least luminance of the sky, orange below and purple "
-    "above it. Azimuth runs across from -180° to 180°, the sun in the middle; altitude up from -90° to 90°. An expansion of "
-    "few bands rings below the horizon, which is the truth of that expansion and no error of a table."
+    "the difference from that of the true weights, in per cent of the least luminance of the sky (for irradiance: of an "
+    "even sky's lux that has it), orange below and purple above it. Azimuth runs across from -180° to 180°, the sun in the "
+    "middle; altitude up from -90° to 90°. An expansion of few bands rings below the horizon, which is the truth of that "
+    "expansion and no error of a table."
 )
 # Inches: a picture's width and height, between two, a line of letters.
 _ACROSS, _HIGH, _GAP, _LINE = 2.4, 1.2, 0.1, 0.21
