@@ -21,7 +21,7 @@ _FLAGS = {
     "-O3, native, fast-math": ["-O3", "-march=native", "-ffast-math"],
 }
 TEXT = (
-    "Every table's header, and the paper's monomials in float32, compiled four ways and run at the random sets and "
+    "Every table's header, compiled four ways and run at the random sets and "
     "corners: the largest difference from the Python runtime relative to the largest weight, and the largest per-set "
     "E_mean of what the C code returns. Contraction may change the last bits of a sum, and more of one that cancels. "
     "Conformance tests compile without it for 2e-6."

@@ -107,7 +107,7 @@ def _draw(rows: Sequence[Row]) -> Figure:
 
     figure = style.figure(style.WIDTH, 1.4 + 0.95 * len(rows))
     axes = figure.subplots()
-    width, most, least = 0.2, 1e6, 1e-6
+    width, most, least = 0.18, 1e6, 1e-6
     for i, bits in enumerate(_BITS):
         lengths = [min(value, most) if np.isfinite(value := float(str(row[bits]))) else most for row in rows]
         axes.barh(np.arange(len(rows)) + (i - 1.5) * width, lengths, width, color=style.SERIES[i], label=bits)
@@ -115,7 +115,7 @@ def _draw(rows: Sequence[Row]) -> Figure:
     axes.set_xlim(least, most)
     # Each bar's group is told above it, where there is room for it.
     for place, row in enumerate(rows):
-        axes.text(1.4 * least, place - 2.3 * width, f"{row['fit']}, {row['scheme']}", va="bottom", fontsize=11)
+        axes.text(1.4 * least, place - 2.15 * width, f"{row['fit']}, {row['scheme']}", va="bottom", fontsize=11)
     axes.set_ylim(len(rows) - 0.5, -0.75)
     axes.set_yticks([])
     axes.xaxis.set_major_formatter(style.percent_ticks())
