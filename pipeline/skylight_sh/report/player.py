@@ -38,6 +38,16 @@ PAPER = ("paper-literal", "paper-svd")
 SHADERS = ("scene.vert", "scene.frag", "sky.vert", "sky.frag", "shadow.vert", "shadow.frag", "tone.frag")
 # Gauss nodes of the page's own truth, which errs by 1e-8 of a sky's largest weight.
 _NODES = Nodes.usual(40)
+# What the sources of a picture's error are called, where their own names are short.
+_SOURCES = {
+    "table": "the recommended table",
+    "smallest table": "the smallest table",
+    "sampling": "rays that sample transfer",
+    "vertices": "transfer at vertices alone",
+    "all": "all together, 5 bands",
+    "no bounces": "all, and no bounces",
+    "no shadows": "all, and no shadows",
+}
 # A line of a table's numbers, and what stands in its place in a module without them.
 _NUMBERS = re.compile(r"^[-\d.eE, ]+$", re.M)
 _GAP, _END = "\x01", "\x02"
@@ -68,7 +78,7 @@ def of(data: ReportData) -> dict[str, Any]:
         "grounds": best.spec.ground == "black" and best.spec.quantity == "radiance" and not best.surroundings,
         "windowed": best.spec.windowed,
         "irradiance": best.spec.quantity == "irradiance",
-        "sources": _sources(data),
+        "sources": _sources(data) if scene else None,
         "json": _json(
             {
                 "name": data.name,
@@ -166,7 +176,7 @@ def _formula(data: ReportData, table: Table) -> dict[str, Any] | None:
     perez, zenith = preetham.constants_of(light.constants)
     to_rgb = colour.matrix(light.colour_space)
     model = {"perez": perez.tolist(), "zenith": zenith.tolist(), "rgb": to_rgb.tolist()}
-    return model | {"rgbColumns": to_rgb.T.ravel().tolist(), "rule": _rule()}
+    return model | {"columns": to_rgb.T.ravel().tolist(), "rule": _rule()}
 
 
 def _rule() -> dict[str, list[list[float]]]:
@@ -222,24 +232,35 @@ def _height(table: Table) -> dict[str, float] | None:
 
 
 def _sources(data: ReportData) -> dict[str, Any] | None:
-    """Return the bars of a picture's error by source and sun, where the run has made pictures of the courtyard."""
+    """Return the bars of a picture's error by source and sun: the run's own where it made pictures of the courtyard.
+
+    Otherwise those that ship with the courtyard, where it is shown.
+    """
     found = data.pictures.get("courtyard")
-    if found is None:
+    if found is not None:
+        names, heights, errors = (found[f"sources/{name}"] for name in ("source", "height", "error"))
+    elif told := courtyard.unpack(courtyard.shipped()).facts.get("sources"):
+        names, heights, errors = (told[name] for name in ("names", "heights", "errors"))
+    else:
         return None
-    errors = np.asarray(found["sources/error"], dtype=np.float64)
-    low, high = np.log10(errors[errors > 0.0].min()) - 0.3, np.log10(errors.max())
-    rows = []
-    for name, series in zip(found["sources/source"], errors, strict=True):
-        bars = [
-            {
-                "width": round(75.0 * max(float(np.log10(max(value, 1e-12)) - low), 0.0) / (high - low), 1),
-                "text": percent(float(f"{value:.2g}")),
-                "sun": f"sun {height:g}° high",
-            }
-            for height, value in zip(found["sources/height"], series, strict=True)
-        ]
-        rows.append({"name": str(name), "bars": bars})
-    return {"rows": rows}
+    values = np.asarray(errors, dtype=np.float64)
+    low = np.log10(values[values > 0.0].min()) - 0.3
+    # Of the row, the rest is for the number.
+    shares = np.log10(np.maximum(values, 10.0**low)) - low
+    widths = 70.0 * shares / shares.max()
+    rows = [
+        {
+            "name": str(name),
+            "bars": [{"width": round(w, 1), "text": percent(float(f"{v:.2g}"))} for w, v in zip(*row, strict=True)],
+        }
+        for name, *row in zip(names, widths.tolist(), values.tolist(), strict=True)
+    ]
+    by_name = {
+        str(name): [percent(float(f"{v:.2g}")) for v in (row.min(), row.max())]
+        for name, row in zip(names, values, strict=True)
+    }
+    told = {"table": by_name["table"][1], "all": " to ".join(by_name["all"])}
+    return {"own": found is not None, "suns": [f"{height:g}°" for height in heights], "rows": rows, "told": told}
 
 
 def _shaders() -> dict[str, str]:

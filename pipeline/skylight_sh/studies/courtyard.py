@@ -33,9 +33,11 @@ from skylight_sh.render.sky import Sky
 from skylight_sh.render.surface import Points, Surface
 from skylight_sh.report import courtyard as shipped_file
 from skylight_sh.report.courtyard import BANDS, Packed
-from skylight_sh.run.steps import mesh_source
+from skylight_sh.run import plan, progress
+from skylight_sh.run.steps import mesh_source, steps
 from skylight_sh.runtime import Runtime
 from skylight_sh.store import atomic
+from skylight_sh.store.store import Store
 from skylight_sh.transfer import compression
 from skylight_sh.transfer.compression import Compressed
 from skylight_sh.transfer.random_suns import random_suns
@@ -54,16 +56,21 @@ MATERIALS, RINGS = ("paving", "wall", "arcade", "cypress 1", "door"), "blue jar"
 # Triangles are looked for in so many rows of the picture, and skies drawn.
 _ROWS, _SUNS, _UNSEEN = 1350, 1500, 60
 _POSTER = (800, 450)
+_PICTURES = "pictures/courtyard"
 # How well pictures are kept, 0 to 100.
 _QUALITY = {"poster": 74, "paving": 72, "wall": 80, "arcade": 80, "cypress 1": 70, "door": 70}
 
 
 @click.command()
 @click.argument("table", type=click.Path(exists=True, dir_okay=False, path_type=Path))
-def main(table: Path) -> None:
+@click.option(
+    "--store", type=click.Path(file_okay=False, path_type=Path), default="artifacts", help="Where artifacts are kept."
+)
+def main(table: Path, store: Path) -> None:
     """Write the courtyard, for skies of TABLE, and its poster beside the report's modules."""
     root = Path(shipped_file.__file__).parent
     packed, poster = make(runtime.load(table))
+    packed = replace(packed, facts={**packed.facts, "sources": sources(Store(store))})
     atomic.write(root / shipped_file.FILE, shipped_file.pack(packed))
     atomic.write(root / shipped_file.POSTER, poster)
     click.echo(f"{shipped_file.FILE}: {told(packed.facts['lost'])}")
@@ -84,6 +91,21 @@ def make(table: Runtime) -> tuple[Packed, bytes]:
     lost = losses(compression.errors(compressed, direct, transfer, *skies(_UNSEEN, 1)))
     packed = _packed(mesh, seen, hidden, compressed, lost)
     return packed, _webp(poster(mesh, vertices, compressed, table, MORNING), _QUALITY["poster"])
+
+
+def sources(store: Store) -> dict[str, Any]:
+    """Return where the error of pictures of the courtyard comes from, as `configs/papers-scenes.toml` measures it.
+
+    Shares of the light, to two digits, by what loses them and by the sun's height in degrees.
+    """
+    planned = steps(load(shipped.folder() / "papers-scenes.toml"))
+    found = plan.execute(planned, store, dict, progress.bar, click.echo, wanted=(_PICTURES,))[1][_PICTURES]
+    errors = np.asarray(found["sources/error"], dtype=np.float64)
+    return {
+        "names": [str(name) for name in found["sources/source"]],
+        "heights": [float(height) for height in found["sources/height"]],
+        "errors": [[float(f"{value:.2g}") for value in row] for row in errors.tolist()],
+    }
 
 
 def split(mesh: Mesh, hour: Hour) -> tuple[Ints, Ints]:

@@ -10,11 +10,9 @@ const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a
 const scaled = (a, by) => a.map((value) => value * by);
 const unit = (a) => scaled(a, 1 / Math.hypot(...a));
 const clamp = (value, low, high) => Math.min(Math.max(value, low), high);
-const luminanceOf = (rgb, at = 0) => (data.channels === 1 ? rgb[at]
-  : rgb[at] * data.luminance[0] + rgb[at + 1] * data.luminance[1] + rgb[at + 2] * data.luminance[2]);
+const luminanceOf = (rgb, at = 0) => data.luminance.reduce((sum, share, k) => sum + share * rgb[at + k], 0);
 
 // ---- What the page carries -----------------------------------------------------------------------------------------------
-
 // Bytes from text, 13 bits in two letters of 91 (report/player.py), then decompressed.
 async function inflate({ bytes, text }) {
   const packed = new Uint8Array(bytes), letter = (i) => {
@@ -60,15 +58,11 @@ async function unpackCourtyard() {
     columns[name] = values;
     start += count * bytes;
   }
-  for (const [name, size] of Object.entries(facts.blobs)) {
-    blobs[name] = raw.slice(start, start + size);
-    start += size;
-  }
+  for (const [name, size] of Object.entries(facts.blobs)) blobs[name] = raw.slice(start, (start += size));
   return { ...facts, columns, blobs };
 }
 
 // ---- Spherical harmonics: real, orthonormal, without the Condon-Shortley sign, at l(l+1)+m -------------------------------
-
 // Fills `out` from `at` on with the basis at a unit vector, by the recurrence in the degree (formula/harmonics.py).
 function basis(x, y, z, bands, out, at = 0) {
   for (let m = 0, cosine = 1, sine = 0; m < bands; ++m) {
@@ -101,16 +95,10 @@ function turned(weights, count, azimuth) {
 
 // Mirrors what is black below the horizon, in place: weights of even l + m double, the others vanish.
 function mirror(weights, count) {
-  for (let start = 0; start < weights.length; start += count) {
-    for (let l = 0; l * l < count; ++l) {
-      for (let m = -l; m <= l; ++m) weights[start + l * (l + 1) + m] *= (l + m) % 2 ? 0 : 2;
-    }
-  }
-  return weights;
+  weights.forEach((value, i) => { weights[i] = (i % count - Math.floor(Math.sqrt(i % count)) ** 2) % 2 ? 0 : 2 * value; });
 }
 
 // ---- The Preetham sky, and its weights by the sun-centred rule -----------------------------------------------------------
-
 // The sky's numbers: A to E of Y, x and y, and the zenith's values over F (Preetham et al. 1999, appendix A.2).
 function preetham(theta, tau) {
   const { perez, zenith } = data.formula, chi = (4 / 9 - tau / 120) * (Math.PI - 2 * theta);
@@ -138,16 +126,15 @@ function radianceOf({ shape, values }, height, angle, cosine) {
 // sun up to the horizon, then arcs that the horizon cuts off (quadrature/sun_centred.py).
 function truth(theta, tau, bands) {
   const sky = preetham(theta, tau), { circles, arcs, turns } = data.formula.rule, count = bands * bands;
-  const out = new Float64Array(3 * count), y = new Float64Array(count), sinTheta = Math.sin(theta), cosTheta = Math.cos(theta);
+  const out = new Float64Array(3 * count), y = new Float64Array(count);
+  const sinTheta = Math.sin(theta), cosTheta = Math.cos(theta);
   function ring(angle, end, weight) {
     const sine = Math.sin(angle), cosine = Math.cos(angle);
     for (const [share, part] of turns) {
       const up = sine * Math.cos(end * share), z = Math.max(cosTheta * cosine + sinTheta * up, 0);
       const rgb = radianceOf(sky, z, angle, cosine), both = 2 * weight * end * part;
       basis(sinTheta * cosine - cosTheta * up, sine * Math.sin(end * share), z, bands, y);
-      for (let l = 0; l < bands; ++l) {
-        for (let i = l * (l + 1); i <= l * (l + 2); ++i) for (let k = 0; k < 3; ++k) out[k * count + i] += both * rgb[k] * y[i];
-      }
+      for (let k = 0; k < 3; ++k) for (let i = 0; i < count; ++i) out[k * count + i] += both * rgb[k] * y[i];
     }
   }
   const reach = RIGHT - theta;
@@ -156,18 +143,19 @@ function truth(theta, tau, bands) {
     const h = theta * Math.sin(u), cosine = h === 0 ? Math.sin(u) : Math.tan(h) / Math.tan(theta);
     ring(RIGHT + h, Math.acos(clamp(cosine, -1, 1)), part * theta * Math.cos(u) * Math.cos(h));
   }
-  // The least luminance lies in the plane of sun and zenith.
+  // Half the sky stands for all of it: weights of m < 0 vanish. The least luminance lies in the plane of sun and zenith.
+  for (let l = 1; l < bands; ++l) for (let k = 0; k < 3; ++k) out.fill(0, k * count + l * l, k * count + l * (l + 1));
   const plane = Array.from({ length: 720 }, (_, i) => ((i + 0.5) / 720 - 0.5) * Math.PI);
   const all = plane.map((at) => luminanceOf(radianceOf(sky, Math.cos(at), Math.abs(at - theta), Math.cos(at - theta))));
   return { weights: out, least: Math.min(...all), sky };
 }
 
 // ---- The sun: its disc's radiance (light/sun_disc.py), and its place over a town -----------------------------------------
-
 function discRadiance(theta, tau) {
   const rgb = [0, 0, 0];
   if (!data.disc || theta > RIGHT + 1e-9) return rgb;
-  const mass = 1 / (Math.cos(theta) + 0.15 * (93.885 - theta / DEGREE) ** -1.253), beta = Math.max(0.04608 * tau - 0.04586, 0);
+  const mass = 1 / (Math.cos(theta) + 0.15 * (93.885 - theta / DEGREE) ** -1.253);
+  const beta = Math.max(0.04608 * tau - 0.04586, 0);
   for (const [r, g, b, still, aerosol, gases, vapour] of data.disc.rows) {
     const lines = (1.41 * gases * mass) / (1 + 118.93 * gases * mass) ** 0.45, wet = vapour * mass;
     const passed = Math.exp(-mass * (still + beta * aerosol) - lines - (0.2385 * wet) / (1 + 20.07 * wet) ** 0.45);
@@ -198,10 +186,11 @@ function day() {
 }
 
 // ---- State ---------------------------------------------------------------------------------------------------------------
-
 const sunName = data.sun, moves = Boolean(data.moves), PLACE = ["date", "latitude", "longitude", "offset"];
-const defaults = { table: data.best, bands: Math.min(5, tableOf(data.best).bands), view: "sun", ground: "mirror", window: "none" };
-Object.assign(defaults, { difference: "bands", latitude: 43.3, longitude: 5.4, date: "2026-08-12", offset: 2, minutes: -1 });
+const defaults = {
+  table: data.best, bands: Math.min(5, tableOf(data.best).bands), view: "sun", ground: "mirror", window: "none",
+  difference: "bands", latitude: 43.3, longitude: 5.4, date: "2026-08-12", offset: 2, minutes: -1,
+};
 for (const { dataset: { axis, unit: angle }, min, max } of controls.filter((one) => one.dataset.axis)) {
   defaults[axis] = axis === "turbidity" ? clamp(3, +min, +max) : ((+min + +max) / 2) * (angle ? DEGREE : 1);
 }
@@ -233,7 +222,7 @@ function set(changes) {
 
 function toFragment() {
   const changed = Object.entries(state).filter(([key, value]) => value !== defaults[key]);
-  const text = new URLSearchParams(changed.map(([key, value]) => [key, +value ? +(+value).toPrecision(8) : value])).toString();
+  const text = String(new URLSearchParams(changed.map(([key, value]) => [key, +value ? +(+value).toPrecision(8) : value])));
   if (text || location.hash.includes("=")) history.replaceState(null, "", `#${text || "="}`);
 }
 
@@ -248,7 +237,6 @@ const sunDirection = ({ [sunName]: zenith = 0, sun_azimuth: azimuth = 0 } = stat
   [Math.sin(zenith) * Math.cos(azimuth), Math.sin(zenith) * Math.sin(azimuth), Math.cos(zenith)]);
 
 // ---- The light of a state ------------------------------------------------------------------------------------------------
-
 // The weights of red, green and blue, or three times those of the one channel.
 const channelsOf = (weights, count) => [0, 1, 2].map((k) => (
   data.channels === 1 ? weights.subarray(0, count) : weights.subarray(k * count, (k + 1) * count)));
@@ -274,10 +262,10 @@ function onGround(raw, module, table) {
 
 // All that is shown of a state.
 function lightNow() {
-  const table = tableOf(state.table), module = loaded.get(state.table), count = module.WEIGHTS, tau = state.turbidity ?? data.tau;
-  const inputs = table.inputs.map((name) => state[name]), raw = module.weights(...inputs), weights = shaped(module, raw, table);
+  const table = tableOf(state.table), module = loaded.get(state.table), count = module.WEIGHTS;
+  const inputs = table.inputs.map((name) => state[name]), tau = state.turbidity ?? data.tau;
+  const raw = module.weights(...inputs), weights = shaped(module, raw, table), wide = data.disc ? data.disc.half_angle : 0;
   const sun = sunName ? discRadiance(state[sunName], tau) : [0, 0, 0], skyLux = luminanceOf(onGround(raw, module, table));
-  const wide = data.disc ? data.disc.half_angle : 0;
   const sunLux = luminanceOf(scaled(sun, Math.PI * Math.sin(wide) ** 2)) * Math.max(Math.cos(state[sunName]), 0) || 0;
   const lux = Math.max(skyLux + sunLux, 1e-6), light = { table, module, count, inputs, raw, weights, wide, skyLux, sunLux };
   // As render/tone.py has it; relative skies, whose zenith is 1, have nothing that an eye adapts to.
@@ -296,26 +284,23 @@ function lightNow() {
   return light;
 }
 
-// Microseconds of a call: the median over batches of 64, once the browser has compiled the code.
+// Microseconds of a call: the median over batches of 256, once the browser has compiled the code.
 function timeOf({ module, inputs }) {
-  const out = module.weights(...inputs), batch = () => {
+  const out = module.weights(...inputs), batches = Array.from({ length: 24 }, () => {
     const begin = performance.now();
-    for (let i = 0; i < 64; ++i) module.weights(...inputs, out);
-    return (1000 * (performance.now() - begin)) / 64;
-  };
-  const batches = Array.from({ length: 64 }, batch).slice(32).sort((a, b) => a - b);
-  // Where clocks step by 100 us, batches may seem to take none: then their mean.
-  return batches[16] || batches.reduce((sum, value) => sum + value, 0) / batches.length;
+    for (let i = 0; i < 256; ++i) module.weights(...inputs, out);
+    return (1000 * (performance.now() - begin)) / 256;
+  });
+  return batches.slice(12).sort((a, b) => a - b)[6];
 }
 
 // ---- Discs: the sky, its expansion, their difference ---------------------------------------------------------------------
-
 const SIDE = 144, LOW = [33, 102, 172], HIGH = [178, 24, 43];
 
 // Tone mapping as tone.frag.glsl and render/tone.py have it; 0 to 255, into a picture.
 function display(r, g, b, image, place) {
-  const luminance = 0.2126729 * r + 0.7151522 * g + 0.072175 * b, mapped = (luminance * (1 + luminance / 25)) / (1 + luminance);
-  const by = luminance > 0 ? mapped / luminance : 0, hue = [r, g, b].map((value) => Math.max(value, 0) * by);
+  const luminance = 0.2126729 * r + 0.7151522 * g + 0.072175 * b, by = (1 + luminance / 25) / (1 + luminance);
+  const mapped = luminance * by, hue = [r, g, b].map((value) => Math.max(value, 0) * by);
   const grey = Math.min(mapped, 1), most = Math.max(...hue), room = 1 - grey;
   const share = room > 0 ? (most - grey) / room : 0;
   const beyond = (Math.min(share, 0.6) + 0.4 * (1 - Math.exp(-Math.max(share - 0.6, 0) / 0.4))) * room;
@@ -328,19 +313,16 @@ function display(r, g, b, image, place) {
 
 // The pixels of a disc, as on a map: north up, east right, the zenith in the middle, heights evenly outwards.
 const pixels = Array.from({ length: SIDE * SIDE }, (_, i) => {
-  const x = (((i % SIDE) + 0.5) / SIDE) * 2 - 1, y = 1 - ((Math.floor(i / SIDE) + 0.5) / SIDE) * 2, radius = Math.hypot(x, y);
+  const x = (2 * (i % SIDE) + 1) / SIDE - 1, y = 1 - (2 * Math.floor(i / SIDE) + 1) / SIDE, radius = Math.hypot(x, y);
   const flat = Math.sin(radius * RIGHT) / radius;
   return { place: 4 * i, radius, along: [x * flat, y * flat, Math.cos(radius * RIGHT)] };
 }).filter(({ radius }) => radius < 1);
 
-const bases = new Map();
+const bases = [];
 function pixelBasis(bands) {
-  if (!bases.has(bands)) {
-    const values = new Float32Array(pixels.length * bands * bands);
-    pixels.forEach(({ along }, i) => basis(...along, bands, values, i * bands * bands));
-    bases.set(bands, values);
-  }
-  return bases.get(bands);
+  const make = () => new Float32Array(pixels.length * bands * bands);
+  bases[bands] ??= pixels.reduce((values, { along }, i) => basis(...along, bands, values, i * bands * bands), make());
+  return bases[bands];
 }
 
 // Radiance of all pixels by the first bands of weights, three numbers each.
@@ -366,31 +348,21 @@ function exactly(sky) {
 }
 
 function paint(name, colour) {
-  const context = $(name).getContext("2d"), image = context.createImageData(SIDE, SIDE), middle = SIDE / 2;
+  const context = $(name).getContext("2d"), image = context.createImageData(SIDE, SIDE);
   pixels.forEach(({ place }, i) => {
     colour(i, image.data, place);
     image.data[place + 3] = 255;
   });
   context.putImageData(image, 0, 0);
-  if (!sunName) return;
-  const radius = (middle * state[sunName]) / RIGHT, { sun_azimuth: azimuth } = state;
-  for (const [width, style] of [[3, "#000"], [1.5, "#fff"]]) {
-    context.beginPath();
-    context.arc(middle + radius * Math.cos(azimuth), middle - radius * Math.sin(azimuth), 4, 0, 7);
-    Object.assign(context, { lineWidth: width, strokeStyle: style });
-    context.stroke();
-  }
 }
 
-// The next of 1, 2, 5, 10 ..
-function nice(value) {
-  const power = 10 ** Math.floor(Math.log10(Math.max(value, 1e-12)));
-  return [1, 2, 5, 10].find((step) => value <= step * power * 1.0001) * power;
-}
+// One digit, rounded up.
+const nice = (value, power = 10 ** Math.floor(Math.log10(Math.max(value, 1e-12)))) => Math.ceil(value / power) * power;
 
 function paintDiscs(light) {
   const { module, bands, exposure } = light, own = state.difference === "table" && light.truth;
-  const sky = light.sky ? exactly(light.sky) : expanded(light.raw, module, module.BANDS), few = expanded(light.weights, module, bands);
+  const sky = light.sky ? exactly(light.sky) : expanded(light.raw, module, module.BANDS);
+  const few = expanded(light.weights, module, bands), radius = (state[sunName] ?? 0) / RIGHT;
   const by = (of) => (i, image, place) => (
     display(of[3 * i] * exposure, of[3 * i + 1] * exposure, of[3 * i + 2] * exposure, image, place));
   // Of the table's own error both are expansions in the same bands, over the table's own ground.
@@ -404,22 +376,25 @@ function paintDiscs(light) {
     const share = clamp(off[i] / light.scale, -1, 1), end = share < 0 ? LOW : HIGH;
     for (let k = 0; k < 3; ++k) image[place + k] = 247 + (end[k] - 247) * Math.abs(share);
   });
+  $("discs").style.setProperty("--east", radius * Math.cos(state.sun_azimuth));
+  $("discs").style.setProperty("--north", radius * Math.sin(state.sun_azimuth));
   say("low", `−${percent(light.scale)}`);
   say("high", `+${percent(light.scale)}`);
   say("few-name", bands > 1 ? `${bands} bands of the table` : "1 band of the table");
 }
 
 // ---- The courtyard -------------------------------------------------------------------------------------------------------
-
 const SHADOW_SIDE = 2048;
-const COSINE_LOBE = [1, 2 / 3, 1 / 4, 0, -1 / 24, 0, 1 / 64];   // of each degree: irradiance / pi of a surface that nothing shades
+// Of each degree: irradiance / pi of a surface that nothing shades, over the radiance.
+const COSINE_LOBE = [1, 2 / 3, 1 / 4, 0, -1 / 24, 0, 1 / 64];
 
 async function makeScene() {
   const canvas = $("canvas"), gl = canvas.getContext("webgl2", { antialias: true, preserveDrawingBuffer: true });
   if (!gl) return null;
   const name = gl.getParameter(gl.getExtension("WEBGL_debug_renderer_info")?.UNMASKED_RENDERER_WEBGL ?? gl.RENDERER);
   if (/swiftshader|llvmpipe|software|basic render/i.test(name)) most = 640 * 360;
-  const court = await unpackCourtyard(), { columns, units, bands } = court, count = bands * bands, seen = columns.colour.length;
+  const court = await unpackCourtyard(), { columns, units, bands } = court;
+  const count = bands * bands, seen = columns.colour.length;
   const woven = (names, by, many = seen, Kind = Float32Array) => {
     const out = new Kind(names.length * many);
     names.forEach((own, k) => { for (let i = 0; i < many; ++i) out[names.length * i + k] = columns[own][i] * by; });
@@ -475,8 +450,8 @@ async function makeScene() {
     gl.clear(gl.DEPTH_BUFFER_BIT);
     gl.enable(gl.POLYGON_OFFSET_FILL);
     gl.polygonOffset(1.5, 4);
-    shadow.use({ towardsSun: towards.matrix });
-    casting.draw();
+    shadow({ towardsSun: towards.matrix });
+    casting();
     gl.disable(gl.POLYGON_OFFSET_FILL);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
   }
@@ -490,26 +465,26 @@ async function makeScene() {
     if (view === "open") fillOpen(weights);
     gl.viewport(0, 0, canvas.width, canvas.height);
     gl.clear(gl.DEPTH_BUFFER_BIT);
-    scene.use({
+    scene({
       camera: camera.matrix(aspect), towardsSun: towards.matrix, texel: towards.texel, open: view === "open" ? 1 : 0,
       light: componentsOf(weights, disc, view === "bounces" || view === "sun"), palette: court.palette.flat(),
       sun, sunlight: scaled(light.sun, Math.sin(wide) ** 2), rings: court.rings.edges, ringColour: court.rings.colour,
       exposure, paving: 0, painted: 1, shadows: 2,
     });
-    lit.draw();
+    lit();
     const plain = channelsOf(light.raw, light.count);
-    sky.use({
-      ...camera.frame(aspect), sun, disc: light.sun, halfAngle: view === "sun" ? wide : 0, exposure, exact: light.sky ? 1 : 0,
-      ...(light.sky ? { zenith: light.sky.values, perez: light.sky.shape.flat(), toRgb: data.formula.rgbColumns } : {}),
+    sky({
+      ...camera.frame(aspect), sun, disc: light.sun, halfAngle: view === "sun" ? wide : 0, exposure,
+      ...(light.sky && { exact: 1, zenith: light.sky.values, perez: light.sky.shape.flat(), toRgb: data.formula.columns }),
       weights: Float32Array.from({ length: 3 * count }, (_, i) => plain[i % 3][Math.floor(i / 3)] ?? 0),
     });
-    behind.draw();
+    behind();
   }
 
   return { canvas, draw, finish: () => gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4)) };
 }
 
-// Vertices of attributes, [size, values, buffer], in the order of their places; bytes count as numbers from -1 to 1.
+// Returns what draws vertices of attributes, [size, values, buffer], by their places; bytes count as numbers from -1 to 1.
 function meshOf(gl, attributes, indices) {
   const array = gl.createVertexArray();
   gl.bindVertexArray(array);
@@ -522,14 +497,13 @@ function meshOf(gl, attributes, indices) {
   });
   gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
   gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, Uint16Array.from(indices), gl.STATIC_DRAW);
-  const draw = () => {
+  return () => {
     gl.bindVertexArray(array);
     gl.drawElements(gl.TRIANGLES, indices.length, gl.UNSIGNED_SHORT, 0);
   };
-  return { draw };
 }
 
-// A program, and what uses it with values for its uniforms by their names.
+// Returns what uses a program with values for its uniforms by their names.
 function programOf(gl, name, define) {
   const program = gl.createProgram();
   for (const [end, kind] of [["vert", gl.VERTEX_SHADER], ["frag", gl.FRAGMENT_SHADER]]) {
@@ -539,24 +513,21 @@ function programOf(gl, name, define) {
     gl.attachShader(program, shader);
   }
   gl.linkProgram(program);
-  if (!gl.getProgramParameter(program, gl.LINK_STATUS)) {
-    const logs = gl.getAttachedShaders(program).map((shader) => gl.getShaderInfoLog(shader));
-    throw new Error(`Shader ${name}: ${gl.getProgramInfoLog(program)} ${logs}`);
-  }
-  const setters = { [gl.FLOAT]: "1fv", [gl.FLOAT_VEC2]: "2fv", [gl.FLOAT_VEC3]: "3fv", [gl.FLOAT_MAT3]: "Matrix3fv",
-    [gl.FLOAT_MAT4]: "Matrix4fv" };
+  const logs = () => gl.getAttachedShaders(program).map((shader) => gl.getShaderInfoLog(shader));
+  if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error(`Shader ${name}: ${logs()}`);
+  const setters = { [gl.FLOAT]: "1fv", [gl.FLOAT_VEC2]: "2fv", [gl.FLOAT_VEC3]: "3fv" };
+  Object.assign(setters, { [gl.FLOAT_MAT3]: "Matrix3fv", [gl.FLOAT_MAT4]: "Matrix4fv" });
   const uniforms = Array.from({ length: gl.getProgramParameter(program, gl.ACTIVE_UNIFORMS) }, (_, i) => {
     const { name: full, type } = gl.getActiveUniform(program, i);
     return { key: full.replace("[0]", ""), setter: setters[type] ?? "1iv", place: gl.getUniformLocation(program, full) };
   });
-  const use = (values) => {
+  return (values) => {
     gl.useProgram(program);
     for (const { key, setter, place } of uniforms.filter((one) => one.key in values)) {
-      const value = [values[key]].flat().length > 1 || ArrayBuffer.isView(values[key]) ? values[key] : [values[key]].flat();
+      const value = typeof values[key] === "number" ? [values[key]] : values[key];
       gl[`uniform${setter}`](place, ...(setter.startsWith("Matrix") ? [false, value] : [value]));
     }
   };
-  return { use };
 }
 
 // A depth texture that compares and interpolates, on unit 2; returns the frame that fills it.
@@ -580,7 +551,7 @@ async function makeTextures(gl, { paving, ...others }) {
   const side = 512, small = { resizeWidth: side, resizeHeight: side, resizeQuality: "pixelated" };
   const picture = (bytes, more) => createImageBitmap(new Blob([bytes], { type: "image/webp" }),
     { colorSpaceConversion: "none", imageOrientation: "flipY", ...more });
-  const [floor, ...layers] = await Promise.all([picture(paving), ...Object.values(others).map((one) => picture(one, small))]);
+  const floor = await picture(paving), layers = await Promise.all(Object.values(others).map((one) => picture(one, small)));
   gl.activeTexture(gl.TEXTURE0);
   gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
   gl.texImage2D(gl.TEXTURE_2D, 0, gl.SRGB8_ALPHA8, gl.RGBA, gl.UNSIGNED_BYTE, floor);
@@ -591,15 +562,16 @@ async function makeTextures(gl, { paving, ...others }) {
   gl.activeTexture(gl.TEXTURE1);
   gl.bindTexture(gl.TEXTURE_2D_ARRAY, gl.createTexture());
   gl.texStorage3D(gl.TEXTURE_2D_ARRAY, 10, gl.SRGB8_ALPHA8, side, side, layers.length);
-  layers.forEach((one, k) => gl.texSubImage3D(gl.TEXTURE_2D_ARRAY, 0, 0, 0, k, side, side, 1, gl.RGBA, gl.UNSIGNED_BYTE, one));
+  const fill = (one, k) => gl.texSubImage3D(gl.TEXTURE_2D_ARRAY, 0, 0, 0, k, side, side, 1, gl.RGBA, gl.UNSIGNED_BYTE, one);
+  layers.forEach(fill);
   gl.generateMipmap(gl.TEXTURE_2D_ARRAY);
   gl.texParameteri(gl.TEXTURE_2D_ARRAY, gl.TEXTURE_MIN_FILTER, gl.LINEAR_MIPMAP_LINEAR);
 }
 
 // A pinhole camera as render/camera.py has it; the matrix stands column by column.
 function cameraOf({ eye, target, field }) {
-  const ahead = unit(target.map((value, i) => value - eye[i])), right = unit([ahead[1], -ahead[0], 0]), up = cross(right, ahead);
-  const reach = Math.tan((field * DEGREE) / 2), near = 0.3, far = 800, deep = (far + near) / (far - near);
+  const ahead = unit(target.map((value, i) => value - eye[i])), right = unit([ahead[1], -ahead[0], 0]);
+  const up = cross(right, ahead), reach = Math.tan((field * DEGREE) / 2), near = 0.3, deep = (800 + near) / (800 - near);
   const matrix = (aspect) => {
     const rows = [scaled(right, 1 / (reach * aspect)), scaled(up, 1 / reach), scaled(ahead, deep), ahead];
     const moved = rows.map((row, k) => -dot(row, eye) - (k === 2 ? near * (1 + deep) : 0));
@@ -620,22 +592,20 @@ function towardsSun(positions, sun) {
       high[k] = Math.max(high[k], value);
     }
   }
-  const by = low.map((value, k) => 2 / (high[k] - value + 0.2)), moved = low.map((value, k) => -0.5 * (high[k] + value) * by[k]);
+  const by = low.map((value, k) => 2 / (high[k] - value + 0.2));
+  const moved = low.map((value, k) => -0.5 * (high[k] + value) * by[k]);
   const matrix = [0, 1, 2].flatMap((k) => [...rows.map((row, i) => row[k] * by[i]), 0]).concat(moved, 1);
   return { matrix, texel: 2 / Math.min(by[0], by[1]) / SHADOW_SIDE };
 }
 
 // ---- What the reader sees ------------------------------------------------------------------------------------------------
-
 // As many pixels as the screen has for it, but no more than a machine without a graphics card draws in a tenth of a second.
 let most = 1600 * 900, scene = null, current = null, playing = 0, waiting = null;
-const number = (value, digits = 3) => Number(value.toPrecision(digits)).toLocaleString("en", { maximumSignificantDigits: digits });
+const number = (value, digits = 3) => value.toLocaleString("en", { maximumSignificantDigits: digits });
 const percent = (value) => `${number(100 * value, 2)} %`;
 const clock = (minutes) => [minutes / 60, minutes % 60].map((value) => String(Math.floor(value)).padStart(2, "0")).join(":");
 const compass = (azimuth) => ["E", "NE", "N", "NW", "W", "SW", "S", "SE"][Math.round(azimuth / (Math.PI / 4)) % 8];
-function say(name, text) {
-  if ($(name)) $(name).textContent = text;
-}
+const say = (name, text) => Object.assign($(name) ?? {}, { textContent: text });
 
 function redraw() {
   if (!scene || !current) return;
@@ -662,6 +632,7 @@ function tell({ table, skyLux, sunLux, eMean }) {
   say("bytes", `${table.bytes.toLocaleString("en")} bytes`);
   say("error", eMean === undefined ? `at most ${percent(table.e_mean)}` : percent(eMean));
   say("time", table.microseconds ? `${number(table.microseconds, 2)} µs` : "…");
+  if (!table.microseconds && loaded.size === data.tables.length) setTimeout(measure, 50);
   controls.forEach(showIn);
   if ($("engine").open) say("code", codeFor($("format").value));
 }
@@ -675,6 +646,7 @@ const changeOf = ({ dataset: { key, unit: angle }, value }) => (
 function showIn(control) {
   const { key, unit: angle = "" } = control.dataset, value = shownOf(control), range = control.type === "range";
   if (key === "bands") control.max = tableOf(state.table).bands;
+  if (key === "minutes") [control.min, control.max] = [day().first, day().last];
   if (control.type === "radio") control.checked = control.value === value;
   else if (!(key === "minutes" && value < 0) && (range || control !== document.activeElement)) {
     control.value = typeof value === "number" ? +value.toFixed(4) : value;
@@ -683,11 +655,6 @@ function showIn(control) {
   const words = key === "minutes" ? (value < 0 ? "" : clock(value)) : `${number(+value)}${angle}`;
   if (told) told.textContent = words;
   if (range) control.setAttribute("aria-valuetext", words || "sun placed by hand");
-}
-
-function showDay() {
-  const { first, last } = day();
-  controls.filter((one) => one.dataset.key === "minutes").forEach((one) => Object.assign(one, { min: first, max: last }));
 }
 
 // What an engine's programmer wants of this light.
@@ -700,19 +667,19 @@ function codeFor(format) {
       + `int status = ${table.prefix}_weights(${inputs.map((value) => `${float(value)}f`).join(", ")}, w);`
       + ` /* ${table.inputs.join(", ")} */\n`;
   }
-  const own = channelsOf(weights, count).map((one) => [...one.subarray(0, bands * bands)].map((value) => +value.toPrecision(7)));
+  const own = channelsOf(weights, count).map((one) => Array.from(one.subarray(0, bands * bands), (v) => +v.toPrecision(7)));
   if (format === "json") {
-    const told = Object.fromEntries(table.inputs.map((name, i) => [name, inputs[i]]));
-    const found = Object.fromEntries(module.CHANNELS.map((name, k) => [name, own[k]]));
-    return JSON.stringify({ table: table.name, unit: module.UNIT, inputs: told, bands, ground, window, weights: found }, null, 1);
+    const named = (names, of) => Object.fromEntries(names.map((name, i) => [name, of[i]]));
+    const told = { table: table.name, unit: module.UNIT, inputs: named(table.inputs, inputs), bands, ground, window };
+    return JSON.stringify({ ...told, weights: named(module.CHANNELS, own) }, null, 1);
   }
   const rows = own[0].map((_, i) => `  vec3(${own.map((one) => float(one[i])).join(", ")})`).join(",\n");
-  return `// ${about}; ${bands} bands, ground: ${ground}, window: ${window}.\n// Real orthonormal SH without the Condon-Shortley`
-    + ` sign, l*(l+1)+m, z up.\nconst vec3 sky[${bands * bands}] = vec3[](\n${rows}\n);\n`;
+  return `// ${about}; ${bands} bands, ground: ${ground}, window: ${window}.\n`
+    + `// Real orthonormal SH without the Condon-Shortley sign, at l*(l+1)+m, z up.\n`
+    + `const vec3 sky[${bands * bands}] = vec3[](\n${rows}\n);\n`;
 }
 
 // ---- What the reader does ------------------------------------------------------------------------------------------------
-
 // Gathers changes and shows them with the next picture: pointers tell more often than that.
 function soon(changes) {
   if (!waiting) requestAnimationFrame(() => { set(Object.assign(waiting, (waiting = null))); });
@@ -778,20 +745,14 @@ function press(event) {
 }
 
 function listen() {
-  for (const control of controls) {
-    control.addEventListener("input", () => {
-      if (control.value === "") return;
-      soon(changeOf(control));
-      if (PLACE.includes(control.dataset.key)) requestAnimationFrame(showDay);
-    });
-  }
-  for (const button of document.querySelectorAll("#player [data-preset]")) {
-    button.addEventListener("click", () => preset(JSON.parse(button.dataset.preset)));
-  }
+  controls.forEach((one) => one.addEventListener("input", () => { if (one.value !== "") soon(changeOf(one)); }));
+  const buttons = document.querySelectorAll("#player [data-preset]");
+  buttons.forEach((one) => one.addEventListener("click", () => preset(JSON.parse(one.dataset.preset))));
   $("play")?.addEventListener("click", play);
   $("copy").addEventListener("click", copy);
-  $("engine").addEventListener("toggle", () => say("code", codeFor($("format").value)));
-  $("format").addEventListener("input", () => say("code", codeFor($("format").value)));
+  const code = () => say("code", codeFor($("format").value));
+  $("engine").addEventListener("toggle", code);
+  $("format").addEventListener("input", code);
   if (moves) ["sky", "few", "difference"].forEach((name) => steer($(name), inDisc));
   if (moves && scene) steer($("stage"));
   document.addEventListener("keydown", press);
@@ -810,18 +771,15 @@ async function start() {
     $("stage").classList.add("drawn");
   }
   for (const { name } of data.tables) await load(name, texts);
-  if (moves) showDay();
   listen();
-  requestIdleCallback?.(measure) ?? setTimeout(measure, 50);
+  measure();
 }
 
-// Measures the tables one after another, when nothing else is to do.
+// Times the table shown, when nothing else is to do.
 function measure() {
-  const next = [tableOf(state.table), ...data.tables].find((table) => !table.microseconds);
-  if (!next) return;
-  next.microseconds = timeOf({ module: loaded.get(next.name), inputs: next.inputs.map((name) => state[name]) });
-  say("time", `${number(tableOf(state.table).microseconds, 2)} µs`);
-  setTimeout(measure, 50);
+  if (current.table.microseconds) return;
+  current.table.microseconds = timeOf(current);
+  tell(current);
 }
 
 const skylight = {
