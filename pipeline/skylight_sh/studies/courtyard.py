@@ -39,7 +39,7 @@ from skylight_sh.runtime import Runtime
 from skylight_sh.store import atomic
 from skylight_sh.store.store import Store
 from skylight_sh.transfer import compression
-from skylight_sh.transfer.compression import Compressed
+from skylight_sh.transfer.compression import STEPS, Compressed
 from skylight_sh.transfer.random_suns import random_suns
 from skylight_sh.transfer.whole import precompute
 
@@ -47,8 +47,13 @@ Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
 COMPONENTS = 16
-# A length's unit is a millimetre, a normal's 1/500, a texture coordinate's 1/4096 of the texture.
-UNITS = {"position": 1e-3, "normal": 2e-3, "uv": 2.0**-12}
+# A length's unit is two millimetres, a normal's 1/200, a texture coordinate's 1/4096 of the texture. What nobody sees and
+# only casts shadows may be coarser by a factor.
+UNITS = {"position": 2e-3, "normal": 5e-3, "uv": 2.0**-12}
+_HIDDEN = 3
+# So many first and last components keep all their steps, the others one in so many.
+_FINE, _COARSE = 4, 4
+_MOST = STEPS - STEPS % _COARSE
 # Whole numbers that a row of the matrix has either way.
 _MATRIX = 2**15 - 1
 # Parts whose textures are kept as pictures, and the one whose is kept as rings.
@@ -87,10 +92,18 @@ def make(table: Runtime) -> tuple[Packed, bytes]:
     vertices = np.unique(mesh.triangles[seen])
     direct, transfer = made.direct[vertices], made.transfer[vertices]
     skies = partial(_skies, table)
-    compressed = compression.compress(direct, transfer, *skies(_SUNS, 0), COMPONENTS)
+    compressed = coarser(compression.compress(direct, transfer, *skies(_SUNS, 0), COMPONENTS))
     lost = losses(compression.errors(compressed, direct, transfer, *skies(_UNSEEN, 1)))
     packed = _packed(mesh, seen, hidden, compressed, lost)
     return packed, _webp(poster(mesh, vertices, compressed, table, MORNING), _QUALITY["poster"])
+
+
+def coarser(compressed: Compressed) -> Compressed:
+    """Return components whose middle ones have fewer steps: the first are worth each, the last ones lend them theirs."""
+    components = compressed.components.astype(np.int64)
+    middle = components[:, _FINE:-_FINE]
+    components[:, _FINE:-_FINE] = _COARSE * np.rint(np.clip(middle, -_MOST, _MOST) / _COARSE).astype(np.int64)
+    return replace(compressed, components=components.astype(np.int8))
 
 
 def sources(store: Store) -> dict[str, Any]:
@@ -160,7 +173,9 @@ def _packed(mesh: Mesh, seen: Ints, hidden: Ints, compressed: Compressed, lost: 
     place[order] = np.arange(len(order))
     columns: dict[str, Ints] = {}
     for axis, name in enumerate("xyz"):
-        columns[name] = _steps(mesh.positions[order, axis], UNITS["position"])
+        place_of = mesh.positions[order, axis]
+        coarse = _HIDDEN * _steps(place_of, _HIDDEN * UNITS["position"])
+        columns[name] = np.where(np.arange(len(order)) < len(first), _steps(place_of, UNITS["position"]), coarse)
     for axis, name in enumerate(("normal_x", "normal_y", "normal_z")):
         columns[name] = _steps(mesh.normals[first, axis], UNITS["normal"])
     palette, colour = np.unique(mesh.albedo[first], axis=0, return_inverse=True)
