@@ -288,7 +288,8 @@ def test_names_of_axes_that_headers_use_are_refused(small_run: Result, tmp_path:
     text = re.sub(r"/\*.*?\*/", "", (small_run.folder / "export" / "skylight_sh.h").read_text(encoding="utf-8"), flags=re.S)
     table = runtime.read(small_run.folder / "export" / "skylight_sh.npz")
     words = sorted({w for w in re.findall(r"[a-z][a-z0-9_]+", text) if not w.startswith("skylight")} | {"haze", "hour"})
-    allowed = [w for w in words if usable(w) and w != table.axes[0].name]
+    # Of the numbered names of steps the first few stand for all.
+    allowed = [w for w in words if usable(w) and w != table.axes[0].name and not re.fullmatch(r"part_\d\d+", w)]
     assert {"haze", "hour"} <= set(allowed)
     for word in allowed:
         axes = (table.axes[0], replace(table.axes[1], name=word))

@@ -259,7 +259,7 @@ def test_a_contest_of_a_small_run(
     speed.save(tmp_path, found)
     told = json.loads((tmp_path / speed.FILE).read_text(encoding="utf-8"))
     summary = {"tables": [{"name": name, "bands": 4}], "recommended": name}
-    text = readme._speed(readme.Released(tmp_path, summary, {}, told))
+    text = readme._speed(readme.Released(tmp_path, summary, {}, told, {}))
     assert f"| {name} |" in text
     assert told["machine"]["processor"] in " ".join(text.split())
 
@@ -331,7 +331,7 @@ def test_the_readme_says_where_a_rival_wins_and_what_is_noisy() -> None:
     summary = {"tables": [{"name": "one", "bands": 4}], "recommended": "one"}
 
     def told(high: float, median: float) -> str:
-        return readme._speed(readme.Released(Path(), summary, {}, record(high, median)))
+        return readme._speed(readme.Released(Path(), summary, {}, record(high, median), {}))
 
     assert "No rival is faster" in told(4.0, 3.9)
     assert "| 3.9 |" in told(4.0, 3.9)
