@@ -341,10 +341,10 @@ def test_the_readme_says_where_a_rival_wins_and_what_is_noisy() -> None:
     packed = record(4.0, 3.9)
     given = {"bands": 4, "times": {"portable": {"ns": {"median": 5000.0}}}}
     packed["candidates"] = [*packed["candidates"], {**given, "name": "two", "kind": "packed table"}]
-    text = readme._speed(readme.Released(Path(), summary, {}, packed))
+    text = readme._speed(readme.Released(Path(), summary, {}, packed, {}))
     assert "decode at every call, which takes 5,000 ns (-O3)." in text
     packed["candidates"] = [*packed["candidates"], *({**given, "name": k, "kind": k} for k in ("unpack", "unpacked table"))]
-    text = " ".join(readme._speed(readme.Released(Path(), summary, {}, packed)).split())
+    text = " ".join(readme._speed(readme.Released(Path(), summary, {}, packed, {})).split())
     assert "decoded once in 5,000 ns, a call takes 5,000 ns." in text
 
 
