@@ -24,6 +24,7 @@ from skylight_sh.export.c_header import Facts
 from skylight_sh.formula import harmonics
 from skylight_sh.light import colour, preetham, sun_disc
 from skylight_sh.light.preetham import Preetham
+from skylight_sh.light.wrappers import Fixed
 from skylight_sh.quadrature import sun_centred
 from skylight_sh.quadrature.sun_centred import Nodes
 from skylight_sh.report import courtyard
@@ -60,6 +61,7 @@ def of(data: ReportData) -> dict[str, Any]:
     best = data.best.table
     height = _height(best)
     moves = height is not None and best.spec.azimuth is None
+    grounds = best.spec.ground == "black" and best.spec.quantity == "radiance" and not best.surroundings
     scene = _lights_courtyard(data, best)
     shipped: dict[str, Any] = {}
     if scene:
@@ -73,9 +75,9 @@ def of(data: ReportData) -> dict[str, Any]:
         "moves": moves,
         "exact": _formula(data, best) is not None,
         "scene": scene,
-        "disc": scene and isinstance(data.light, Preetham),
+        "disc": scene and _preetham(data) is not None,
         "poster": base64.b64encode(courtyard.shipped(courtyard.POSTER)).decode() if scene else None,
-        "grounds": best.spec.ground == "black" and best.spec.quantity == "radiance" and not best.surroundings,
+        "grounds": grounds,
         "windowed": best.spec.windowed,
         "irradiance": best.spec.quantity == "irradiance",
         "sources": _sources(data) if scene else None,
@@ -92,9 +94,10 @@ def of(data: ReportData) -> dict[str, Any]:
                 "zeniths": [math.radians(90.0 - height[end]) for end in ("high", "low")] if height else None,
                 "moves": moves,
                 "azimuth": best.spec.azimuth,
+                "grounds": ["mirror", "black", "albedo"] if grounds else ["the table's"],
                 "formula": _formula(data, best),
                 "legendre": _legendre(max(courtyard.BANDS, *(entry.table.bands for entry in entries))),
-                "disc": _disc() if scene and isinstance(data.light, Preetham) else None,
+                "disc": _disc(sky.colour_space) if scene and (sky := _preetham(data)) else None,
                 "tau": data.settings["scene"]["fixed"].get("turbidity", CLEAR),
                 **shipped,
             }
@@ -170,13 +173,19 @@ def _lights_courtyard(data: ReportData, table: Table) -> bool:
 
 def _formula(data: ReportData, table: Table) -> dict[str, Any] | None:
     """Return the numbers of the Preetham sky, where the page can hold the table against it; else None."""
-    light, spec = data.light, table.spec
-    if not isinstance(light, Preetham) or not _lights_courtyard(data, table) or spec.ground not in ("black", "mirror"):
+    light, spec = _preetham(data), table.spec
+    if light is None or not _lights_courtyard(data, table) or spec.ground not in ("black", "mirror"):
         return None
     perez, zenith = preetham.constants_of(light.constants)
     to_rgb = colour.matrix(light.colour_space)
     model = {"perez": perez.tolist(), "zenith": zenith.tolist(), "rgb": to_rgb.tolist()}
     return model | {"columns": to_rgb.T.ravel().tolist(), "rule": _rule()}
+
+
+def _preetham(data: ReportData) -> Preetham | None:
+    """Return the run's light where it is a Preetham sky, some of whose parameters may be fixed."""
+    light = data.light.light if isinstance(data.light, Fixed) else data.light
+    return light if isinstance(light, Preetham) else None
 
 
 def _rule() -> dict[str, list[list[float]]]:
@@ -201,10 +210,10 @@ def _legendre(bands: int) -> list[dict[str, Any]]:
     return rows
 
 
-def _disc() -> dict[str, Any]:
+def _disc(colour_space: str) -> dict[str, Any]:
     """Return what the sun's disc is summed from, wavelength by wavelength: see ``light/sun_disc.py``."""
     still, gases, vapour = sun_disc.absorption()
-    columns = [sun_disc.spectrum_rgb(), still, (sun_disc.WAVELENGTHS / 1000.0) ** -1.3, gases, vapour]
+    columns = [sun_disc.spectrum_rgb(colour_space), still, (sun_disc.WAVELENGTHS / 1000.0) ** -1.3, gases, vapour]
     rows = np.column_stack(columns)
     return {"half_angle": sun_disc.HALF_ANGLE, "rows": [[float(f"{v:.8g}") for v in row] for row in rows.tolist()]}
 

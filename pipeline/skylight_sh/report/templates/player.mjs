@@ -188,13 +188,13 @@ function day() {
 // ---- State ---------------------------------------------------------------------------------------------------------------
 const sunName = data.sun, moves = Boolean(data.moves), PLACE = ["date", "latitude", "longitude", "offset"];
 const defaults = {
-  table: data.best, bands: Math.min(5, tableOf(data.best).bands), view: "sun", ground: "mirror", window: "none",
-  difference: "bands", latitude: 43.3, longitude: 5.4, date: "2026-08-12", offset: 2, minutes: -1,
+  table: data.best, bands: Math.min(5, tableOf(data.best).bands), view: data.disc ? "sun" : "bounces", ground: data.grounds[0],
+  window: "none", difference: "bands", latitude: 43.3, longitude: 5.4, date: "2026-08-12", offset: 2, minutes: -1,
 };
 for (const { dataset: { axis, unit: angle }, min, max } of controls.filter((one) => one.dataset.axis)) {
   defaults[axis] = axis === "turbidity" ? clamp(3, +min, +max) : ((+min + +max) / 2) * (angle ? DEGREE : 1);
 }
-if (sunName) Object.assign(defaults, { [sunName]: 79 * DEGREE, sun_azimuth: data.azimuth ?? 10 * DEGREE });
+Object.assign(defaults, { sun_azimuth: data.azimuth ?? 10 * DEGREE }, sunName && { [sunName]: 79 * DEGREE });
 const state = { ...defaults };
 
 // Changes the state and shows it. A time of day of 0 or more places the sun; a sun placed otherwise has none, -1.
@@ -241,9 +241,9 @@ const sunDirection = ({ [sunName]: zenith = 0, sun_azimuth: azimuth = 0 } = stat
 const channelsOf = (weights, count) => [0, 1, 2].map((k) => (
   data.channels === 1 ? weights.subarray(0, count) : weights.subarray(k * count, (k + 1) * count)));
 
-// A table's weights as the state asks for: over what ground, in how many bands, windowed or not.
-function shaped(module, raw, table) {
-  const weights = Float32Array.from(raw), { bands, ground, window } = state;
+// A table's weights over the ground that the state asks for, in so many bands, windowed or not.
+function shaped(module, raw, table, bands = module.BANDS, window = "none") {
+  const weights = Float32Array.from(raw), { ground } = state;
   if (table.ground === "black" && ground === "mirror") mirror(weights, module.WEIGHTS);
   if (ground === "albedo" && module.applyGround) module.applyGround(weights, module.CHANNELS.map(() => 0.25));
   weights.forEach((_, i) => { if (i % module.WEIGHTS >= bands * bands) weights[i] = 0; });
@@ -264,10 +264,12 @@ function onGround(raw, module, table) {
 function lightNow() {
   const table = tableOf(state.table), module = loaded.get(state.table), count = module.WEIGHTS;
   const inputs = table.inputs.map((name) => state[name]), tau = state.turbidity ?? data.tau;
-  const raw = module.weights(...inputs), weights = shaped(module, raw, table), wide = data.disc ? data.disc.half_angle : 0;
+  const raw = module.weights(...inputs), weights = shaped(module, raw, table, state.bands, state.window);
+  const all = shaped(module, raw, table), wide = data.disc ? data.disc.half_angle : 0;
   const sun = sunName ? discRadiance(state[sunName], tau) : [0, 0, 0], skyLux = luminanceOf(onGround(raw, module, table));
   const sunLux = luminanceOf(scaled(sun, Math.PI * Math.sin(wide) ** 2)) * Math.max(Math.cos(state[sunName]), 0) || 0;
-  const lux = Math.max(skyLux + sunLux, 1e-6), light = { table, module, count, inputs, raw, weights, wide, skyLux, sunLux };
+  const lux = Math.max(skyLux + sunLux, 1e-6);
+  const light = { table, module, count, inputs, raw, weights, all, wide, skyLux, sunLux };
   // As render/tone.py has it; relative skies, whose zenith is 1, have nothing that an eye adapts to.
   Object.assign(light, { bands: state.bands, exposure: (4.9 / lux) * (lux > 100 ? lux / 50000 : 1) ** 0.16 });
   light.sun = state.view === "sun" ? sun : [0, 0, 0];
@@ -357,11 +359,11 @@ function paint(name, colour) {
 }
 
 // One digit, rounded up.
-const nice = (value, power = 10 ** Math.floor(Math.log10(Math.max(value, 1e-12)))) => Math.ceil(value / power) * power;
+const nice = (value, power = 10 ** Math.floor(Math.log10(value))) => Math.ceil(value / power) * power;
 
 function paintDiscs(light) {
   const { module, bands, exposure } = light, own = state.difference === "table" && light.truth;
-  const sky = light.sky ? exactly(light.sky) : expanded(light.raw, module, module.BANDS);
+  const sky = light.sky ? exactly(light.sky) : expanded(light.all, module, module.BANDS);
   const few = expanded(light.weights, module, bands), radius = (state[sunName] ?? 0) / RIGHT;
   const by = (of) => (i, image, place) => (
     display(of[3 * i] * exposure, of[3 * i + 1] * exposure, of[3 * i + 2] * exposure, image, place));
@@ -369,7 +371,7 @@ function paintDiscs(light) {
   const one = own ? expanded(light.raw, module, bands) : few, other = own ? expanded(light.truth, module, bands) : sky;
   const mean = pixels.reduce((sum, _, i) => sum + luminanceOf(sky, 3 * i), 0) / pixels.length;
   const off = Float32Array.from(pixels, (_, i) => (luminanceOf(one, 3 * i) - luminanceOf(other, 3 * i)) / mean);
-  light.scale = nice(off.map(Math.abs).sort()[Math.floor(0.98 * off.length)]);
+  light.scale = nice(Math.max(off.map(Math.abs).sort()[Math.floor(0.98 * off.length)], 1e-9));
   paint("sky", by(sky));
   paint("few", by(few));
   paint("difference", (i, image, place) => {
@@ -472,7 +474,7 @@ async function makeScene() {
       exposure, paving: 0, painted: 1, shadows: 2,
     });
     lit();
-    const plain = channelsOf(light.raw, light.count);
+    const plain = channelsOf(light.all, light.count);
     sky({
       ...camera.frame(aspect), sun, disc: light.sun, halfAngle: view === "sun" ? wide : 0, exposure,
       ...(light.sky && { exact: 1, zenith: light.sky.values, perez: light.sky.shape.flat(), toRgb: data.formula.columns }),
@@ -766,10 +768,8 @@ async function start() {
   await load(state.table, texts);
   scene = data.courtyard ? await makeScene() : null;
   set({ bands: state.bands });
-  if (scene) {
-    scene.finish();
-    $("stage").classList.add("drawn");
-  }
+  scene?.finish();
+  if (scene) $("stage").classList.add("drawn");
   for (const { name } of data.tables) await load(name, texts);
   listen();
   measure();
