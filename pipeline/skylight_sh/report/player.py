@@ -259,7 +259,7 @@ def _sources(data: ReportData) -> dict[str, Any] | None:
     widths = 70.0 * shares / shares.max()
     rows = [
         {
-            "name": str(name),
+            "name": _SOURCES.get(str(name), str(name)),
             "bars": [{"width": round(w, 1), "text": percent(float(f"{v:.2g}"))} for w, v in zip(*row, strict=True)],
         }
         for name, *row in zip(names, widths.tolist(), values.tolist(), strict=True)
