@@ -83,7 +83,7 @@ static inline int skylight_sh_inputs_suns(const float *const inputs[SKYLIGHT_SH_
     }
 #if SKYLIGHT_SH_HAS_TWILIGHT
     for (s = 0; s < SKYLIGHT_SH_SUNS; ++s)
-        if (light[s] != 0.0f) light[s] *= skylight_sh_twilight(inputs[SKYLIGHT_SH_SUN][start + s]);
+        light[s] *= skylight_sh_twilight(inputs[SKYLIGHT_SH_SUN][start + s]);
 #endif
     return status;
 }
@@ -150,7 +150,8 @@ static inline int skylight_sh_share(const float *const inputs[SKYLIGHT_SH_AXES],
 {
     int axis, s, differ = 0;
     for (axis = 1; axis < SKYLIGHT_SH_AXES; ++axis)
-        for (s = 1; s < count && !differ; ++s) differ = !(inputs[axis][s] == inputs[axis][0]);
+        for (s = 1; s < count && !differ; ++s)
+            differ = memcmp(inputs[axis] + s, inputs[axis], sizeof(float)) != 0;
     return !differ;
 }
 
