@@ -57,7 +57,7 @@
 #endif
 
 #ifndef SKYLIGHT_SH_H
-#define SKYLIGHT_SH_H 0xfe28a3d2
+#define SKYLIGHT_SH_H 0x5df9dcb3
 
 #include <math.h>
 #include <stdint.h>
@@ -122,7 +122,7 @@ SKYLIGHT_SH_API void skylight_sh_ground(const float albedo[SKYLIGHT_SH_CHANNELS]
 SKYLIGHT_SH_API void skylight_sh_window(int bands,
     float weights[SKYLIGHT_SH_CHANNELS][SKYLIGHT_SH_WEIGHTS]);
 
-#elif SKYLIGHT_SH_H != 0xfe28a3d2
+#elif SKYLIGHT_SH_H != 0x5df9dcb3
 #error "Another table has the prefix skylight_sh already: export one of them under a prefix of its \
 own."
 #endif /* SKYLIGHT_SH_H */
@@ -815,9 +815,9 @@ static inline void skylight_sh_factors(const skylight_sh_real *x, skylight_sh_re
     out[6] = (-1.00158179f) * of_x;
     out[10] = 1.05722523f * of_s;
     out[2] = out[6] + (-1.26125109f) * of_y + out[10];
-    out[3] = 0.0f;
-    out[7] = 0.0f;
-    out[11] = 0.0f;
+    out[3] = 0;
+    out[7] = 0;
+    out[11] = 0;
     (void)x;
 }
 
@@ -834,7 +834,7 @@ static inline void skylight_sh_first(const skylight_sh_real *x, skylight_sh_real
     out[4] = out[1] * out[3];
     out[5] = out[1] * out[4];
     out[6] = out[1] * out[5];
-    out[7] = 0.0f;
+    out[7] = 0;
     (void)x;
 }
 
@@ -963,9 +963,9 @@ static inline void skylight_sh_factors_suns(const skylight_sh_lanes *x, skylight
     out[10] = part_9;
     const skylight_sh_lanes part_10 = part_8 + (-1.26125109f) * of_y + part_9;
     out[2] = part_10;
-    out[3] = skylight_sh_spread(0.0f);
-    out[7] = skylight_sh_spread(0.0f);
-    out[11] = skylight_sh_spread(0.0f);
+    out[3] = skylight_sh_spread(0);
+    out[7] = skylight_sh_spread(0);
+    out[11] = skylight_sh_spread(0);
     (void)x;
 }
 
@@ -987,7 +987,7 @@ static inline void skylight_sh_first_suns(const skylight_sh_lanes *x, skylight_s
     out[5] = part_5;
     const skylight_sh_lanes part_6 = part_1 * part_5;
     out[6] = part_6;
-    out[7] = skylight_sh_spread(0.0f);
+    out[7] = skylight_sh_spread(0);
     (void)x;
 }
 
@@ -1849,7 +1849,8 @@ static inline int skylight_sh_share(const float *const inputs[SKYLIGHT_SH_AXES],
 {
     int axis, s, differ = 0;
     for (axis = 1; axis < SKYLIGHT_SH_AXES; ++axis)
-        for (s = 1; s < count && !differ; ++s) differ = !(inputs[axis][s] == inputs[axis][0]);
+        for (s = 1; s < count && !differ; ++s)
+            differ = memcmp(inputs[axis] + s, inputs[axis], sizeof(float)) != 0;
     return !differ;
 }
 
@@ -1873,6 +1874,7 @@ static inline void skylight_sh_sum_shared(const skylight_sh_real *rows,
 #define SKYLIGHT_SH_CLASS(which, polynomials) \
     { \
         const int place = before[which]; \
+        (void)place; \
         polynomials \
     }
 #define SKYLIGHT_SH_NOTHING

@@ -61,7 +61,7 @@ SKYLIGHT_SH_4_BANDS_0_005PCT_IMPLEMENTATION beside it in one."
 #endif
 
 #ifndef SKYLIGHT_SH_4_BANDS_0_005PCT_H
-#define SKYLIGHT_SH_4_BANDS_0_005PCT_H 0x28d69b97
+#define SKYLIGHT_SH_4_BANDS_0_005PCT_H 0xad844e00
 
 #include <math.h>
 #include <stdint.h>
@@ -133,7 +133,7 @@ SKYLIGHT_SH_4_BANDS_0_005PCT_API void skylight_sh_4_bands_0_005pct_ground(const 
 SKYLIGHT_SH_4_BANDS_0_005PCT_API void skylight_sh_4_bands_0_005pct_window(int bands,
     float weights[SKYLIGHT_SH_4_BANDS_0_005PCT_CHANNELS][SKYLIGHT_SH_4_BANDS_0_005PCT_WEIGHTS]);
 
-#elif SKYLIGHT_SH_4_BANDS_0_005PCT_H != 0x28d69b97
+#elif SKYLIGHT_SH_4_BANDS_0_005PCT_H != 0xad844e00
 #error "Another table has the prefix skylight_sh_4_bands_0_005pct_4_bands_0_005pct already: export \
 one of them under a prefix of its own."
 #endif /* SKYLIGHT_SH_4_BANDS_0_005PCT_H */
@@ -709,9 +709,9 @@ static inline void skylight_sh_4_bands_0_005pct_factors(const skylight_sh_4_band
     out[6] = (-1.00158179f) * of_x;
     out[10] = 1.05722523f * of_s;
     out[2] = out[6] + (-1.26125109f) * of_y + out[10];
-    out[3] = 0.0f;
-    out[7] = 0.0f;
-    out[11] = 0.0f;
+    out[3] = 0;
+    out[7] = 0;
+    out[11] = 0;
     (void)x;
 }
 
@@ -732,8 +732,8 @@ static inline void skylight_sh_4_bands_0_005pct_first(const skylight_sh_4_bands_
     out[7] = out[1] * out[6];
     out[8] = out[1] * out[7];
     out[9] = out[1] * out[8];
-    out[10] = 0.0f;
-    out[11] = 0.0f;
+    out[10] = 0;
+    out[11] = 0;
     (void)x;
 }
 
@@ -868,9 +868,9 @@ static inline void skylight_sh_4_bands_0_005pct_factors_suns(const
     out[10] = part_9;
     const skylight_sh_4_bands_0_005pct_lanes part_10 = part_8 + (-1.26125109f) * of_y + part_9;
     out[2] = part_10;
-    out[3] = skylight_sh_4_bands_0_005pct_spread(0.0f);
-    out[7] = skylight_sh_4_bands_0_005pct_spread(0.0f);
-    out[11] = skylight_sh_4_bands_0_005pct_spread(0.0f);
+    out[3] = skylight_sh_4_bands_0_005pct_spread(0);
+    out[7] = skylight_sh_4_bands_0_005pct_spread(0);
+    out[11] = skylight_sh_4_bands_0_005pct_spread(0);
     (void)x;
 }
 
@@ -899,8 +899,8 @@ static inline void skylight_sh_4_bands_0_005pct_first_suns(const skylight_sh_4_b
     out[8] = part_8;
     const skylight_sh_4_bands_0_005pct_lanes part_9 = part_1 * part_8;
     out[9] = part_9;
-    out[10] = skylight_sh_4_bands_0_005pct_spread(0.0f);
-    out[11] = skylight_sh_4_bands_0_005pct_spread(0.0f);
+    out[10] = skylight_sh_4_bands_0_005pct_spread(0);
+    out[11] = skylight_sh_4_bands_0_005pct_spread(0);
     (void)x;
 }
 
@@ -1868,7 +1868,8 @@ static inline int skylight_sh_4_bands_0_005pct_share(const float *const
 {
     int axis, s, differ = 0;
     for (axis = 1; axis < SKYLIGHT_SH_4_BANDS_0_005PCT_AXES; ++axis)
-        for (s = 1; s < count && !differ; ++s) differ = !(inputs[axis][s] == inputs[axis][0]);
+        for (s = 1; s < count && !differ; ++s)
+            differ = memcmp(inputs[axis] + s, inputs[axis], sizeof(float)) != 0;
     return !differ;
 }
 
@@ -1898,6 +1899,7 @@ static inline void skylight_sh_4_bands_0_005pct_sum_shared(const skylight_sh_4_b
 #define SKYLIGHT_SH_4_BANDS_0_005PCT_CLASS(which, polynomials) \
     { \
         const int place = before[which]; \
+        (void)place; \
         polynomials \
     }
 #define SKYLIGHT_SH_4_BANDS_0_005PCT_NOTHING

@@ -61,7 +61,7 @@ SKYLIGHT_SH_4_BANDS_0_1PCT_IMPLEMENTATION beside it in one."
 #endif
 
 #ifndef SKYLIGHT_SH_4_BANDS_0_1PCT_H
-#define SKYLIGHT_SH_4_BANDS_0_1PCT_H 0x73a811e1
+#define SKYLIGHT_SH_4_BANDS_0_1PCT_H 0x215e0386
 
 #include <math.h>
 #include <stdint.h>
@@ -133,7 +133,7 @@ SKYLIGHT_SH_4_BANDS_0_1PCT_API void skylight_sh_4_bands_0_1pct_ground(const floa
 SKYLIGHT_SH_4_BANDS_0_1PCT_API void skylight_sh_4_bands_0_1pct_window(int bands,
     float weights[SKYLIGHT_SH_4_BANDS_0_1PCT_CHANNELS][SKYLIGHT_SH_4_BANDS_0_1PCT_WEIGHTS]);
 
-#elif SKYLIGHT_SH_4_BANDS_0_1PCT_H != 0x73a811e1
+#elif SKYLIGHT_SH_4_BANDS_0_1PCT_H != 0x215e0386
 #error "Another table has the prefix skylight_sh_4_bands_0_1pct_4_bands_0_1pct already: export one \
 of them under a prefix of its own."
 #endif /* SKYLIGHT_SH_4_BANDS_0_1PCT_H */
@@ -598,9 +598,9 @@ static inline void skylight_sh_4_bands_0_1pct_factors(const skylight_sh_4_bands_
     out[6] = (-1.00158179f) * of_x;
     out[10] = 1.05722523f * of_s;
     out[2] = out[6] + (-1.26125109f) * of_y + out[10];
-    out[3] = 0.0f;
-    out[7] = 0.0f;
-    out[11] = 0.0f;
+    out[3] = 0;
+    out[7] = 0;
+    out[11] = 0;
     (void)x;
 }
 
@@ -618,7 +618,7 @@ static inline void skylight_sh_4_bands_0_1pct_first(const skylight_sh_4_bands_0_
     out[4] = out[1] * out[3];
     out[5] = out[1] * out[4];
     out[6] = out[1] * out[5];
-    out[7] = 0.0f;
+    out[7] = 0;
     (void)x;
 }
 
@@ -752,9 +752,9 @@ static inline void skylight_sh_4_bands_0_1pct_factors_suns(const skylight_sh_4_b
     out[10] = part_9;
     const skylight_sh_4_bands_0_1pct_lanes part_10 = part_8 + (-1.26125109f) * of_y + part_9;
     out[2] = part_10;
-    out[3] = skylight_sh_4_bands_0_1pct_spread(0.0f);
-    out[7] = skylight_sh_4_bands_0_1pct_spread(0.0f);
-    out[11] = skylight_sh_4_bands_0_1pct_spread(0.0f);
+    out[3] = skylight_sh_4_bands_0_1pct_spread(0);
+    out[7] = skylight_sh_4_bands_0_1pct_spread(0);
+    out[11] = skylight_sh_4_bands_0_1pct_spread(0);
     (void)x;
 }
 
@@ -777,7 +777,7 @@ static inline void skylight_sh_4_bands_0_1pct_first_suns(const skylight_sh_4_ban
     out[5] = part_5;
     const skylight_sh_4_bands_0_1pct_lanes part_6 = part_1 * part_5;
     out[6] = part_6;
-    out[7] = skylight_sh_4_bands_0_1pct_spread(0.0f);
+    out[7] = skylight_sh_4_bands_0_1pct_spread(0);
     (void)x;
 }
 
@@ -1724,7 +1724,8 @@ static inline int skylight_sh_4_bands_0_1pct_share(const float *const
 {
     int axis, s, differ = 0;
     for (axis = 1; axis < SKYLIGHT_SH_4_BANDS_0_1PCT_AXES; ++axis)
-        for (s = 1; s < count && !differ; ++s) differ = !(inputs[axis][s] == inputs[axis][0]);
+        for (s = 1; s < count && !differ; ++s)
+            differ = memcmp(inputs[axis] + s, inputs[axis], sizeof(float)) != 0;
     return !differ;
 }
 
@@ -1754,6 +1755,7 @@ static inline void skylight_sh_4_bands_0_1pct_sum_shared(const skylight_sh_4_ban
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_CLASS(which, polynomials) \
     { \
         const int place = before[which]; \
+        (void)place; \
         polynomials \
     }
 #define SKYLIGHT_SH_4_BANDS_0_1PCT_NOTHING

@@ -65,7 +65,7 @@ before."
 #endif
 
 #ifndef SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_H
-#define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_H 0xee78cabb
+#define SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_H 0xa3cb8ed0
 
 #include <math.h>
 #include <stdint.h>
@@ -179,7 +179,7 @@ SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_API void skylight_sh_7_bands_0_1pct_packed_win
     float
     weights[SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_CHANNELS][SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_WEIGHTS]);
 
-#elif SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_H != 0xee78cabb
+#elif SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_H != 0xa3cb8ed0
 #error "Another table has the prefix skylight_sh_7_bands_0_1pct_packed_7_bands_0_1pct_packed \
 already: export one of them under a prefix of its own."
 #endif /* SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_H */
@@ -518,11 +518,11 @@ static const unsigned char skylight_sh_7_bands_0_1pct_packed_stream[2024] = {
 };
 
 /* What all weights share: the closed form preetham_classes. */
-static const unsigned short skylight_sh_7_bands_0_1pct_packed_short[61] = { 40453, 4971, 945, 105,
+static const unsigned short skylight_sh_7_bands_0_1pct_packed_short[60] = { 40453, 4971, 945, 105,
     24192, 2155, 420, 15, 1, 1787, 1463, 3554, 4275, 25, 3125, 227, 4, 79, 53251, 2125, 2102, 1206,
     641, 441, 25771, 8989, 16537, 67, 33, 109, 3703, 452, 529, 5, 275, 166, 4214, 2903, 15346,
     11693, 61, 375, 897, 6377, 26756, 21196, 317, 209, 4153, 3202, 667, 6052, 516, 394, 26688,
-    25886, 7332, 993, 7344, 41556, 0 };
+    25886, 7332, 993, 7344, 41556 };
 
 #ifdef SKYLIGHT_SH_7_BANDS_0_1PCT_PACKED_LANES
 /* Equal formulas of different numbers side by side. */
@@ -766,9 +766,9 @@ static inline void skylight_sh_7_bands_0_1pct_packed_factors(const
     out[6] = (-1.00158179f) * of_x;
     out[10] = 1.05722523f * of_s;
     out[2] = out[6] + (-1.26125109f) * of_y + out[10];
-    out[3] = ((skylight_sh_7_bands_0_1pct_packed_real)skylight_sh_7_bands_0_1pct_packed_short[60]);
-    out[7] = ((skylight_sh_7_bands_0_1pct_packed_real)skylight_sh_7_bands_0_1pct_packed_short[60]);
-    out[11] = ((skylight_sh_7_bands_0_1pct_packed_real)skylight_sh_7_bands_0_1pct_packed_short[60]);
+    out[3] = 0;
+    out[7] = 0;
+    out[11] = 0;
     (void)x;
 }
 
@@ -790,7 +790,7 @@ static inline void skylight_sh_7_bands_0_1pct_packed_first(const
     out[8] = 2.0f * out[4] * out[4] - 1.0f;
     out[9] = 2.0f * out[4] * out[5] - out[1];
     out[10] = 2.0f * out[5] * out[5] - 1.0f;
-    out[11] = 0.0f;
+    out[11] = 0;
     (void)x;
 }
 

@@ -61,7 +61,7 @@ SKYLIGHT_SH_7_BANDS_1_5PCT_IMPLEMENTATION beside it in one."
 #endif
 
 #ifndef SKYLIGHT_SH_7_BANDS_1_5PCT_H
-#define SKYLIGHT_SH_7_BANDS_1_5PCT_H 0x271208df
+#define SKYLIGHT_SH_7_BANDS_1_5PCT_H 0x9795aac4
 
 #include <math.h>
 #include <stdint.h>
@@ -133,7 +133,7 @@ SKYLIGHT_SH_7_BANDS_1_5PCT_API void skylight_sh_7_bands_1_5pct_ground(const floa
 SKYLIGHT_SH_7_BANDS_1_5PCT_API void skylight_sh_7_bands_1_5pct_window(int bands,
     float weights[SKYLIGHT_SH_7_BANDS_1_5PCT_CHANNELS][SKYLIGHT_SH_7_BANDS_1_5PCT_WEIGHTS]);
 
-#elif SKYLIGHT_SH_7_BANDS_1_5PCT_H != 0x271208df
+#elif SKYLIGHT_SH_7_BANDS_1_5PCT_H != 0x9795aac4
 #error "Another table has the prefix skylight_sh_7_bands_1_5pct_7_bands_1_5pct already: export one \
 of them under a prefix of its own."
 #endif /* SKYLIGHT_SH_7_BANDS_1_5PCT_H */
@@ -666,9 +666,9 @@ static inline void skylight_sh_7_bands_1_5pct_factors(const skylight_sh_7_bands_
     out[6] = (-1.00158179f) * of_x;
     out[10] = 1.05722523f * of_s;
     out[2] = out[6] + (-1.26125109f) * of_y + out[10];
-    out[3] = 0.0f;
-    out[7] = 0.0f;
-    out[11] = 0.0f;
+    out[3] = 0;
+    out[7] = 0;
+    out[11] = 0;
     (void)x;
 }
 
@@ -685,8 +685,8 @@ static inline void skylight_sh_7_bands_1_5pct_first(const skylight_sh_7_bands_1_
     out[3] = out[1] * out[2];
     out[4] = out[1] * out[3];
     out[5] = out[1] * out[4];
-    out[6] = 0.0f;
-    out[7] = 0.0f;
+    out[6] = 0;
+    out[7] = 0;
     (void)x;
 }
 
@@ -824,9 +824,9 @@ static inline void skylight_sh_7_bands_1_5pct_factors_suns(const skylight_sh_7_b
     out[10] = part_9;
     const skylight_sh_7_bands_1_5pct_lanes part_10 = part_8 + (-1.26125109f) * of_y + part_9;
     out[2] = part_10;
-    out[3] = skylight_sh_7_bands_1_5pct_spread(0.0f);
-    out[7] = skylight_sh_7_bands_1_5pct_spread(0.0f);
-    out[11] = skylight_sh_7_bands_1_5pct_spread(0.0f);
+    out[3] = skylight_sh_7_bands_1_5pct_spread(0);
+    out[7] = skylight_sh_7_bands_1_5pct_spread(0);
+    out[11] = skylight_sh_7_bands_1_5pct_spread(0);
     (void)x;
 }
 
@@ -847,8 +847,8 @@ static inline void skylight_sh_7_bands_1_5pct_first_suns(const skylight_sh_7_ban
     out[4] = part_4;
     const skylight_sh_7_bands_1_5pct_lanes part_5 = part_1 * part_4;
     out[5] = part_5;
-    out[6] = skylight_sh_7_bands_1_5pct_spread(0.0f);
-    out[7] = skylight_sh_7_bands_1_5pct_spread(0.0f);
+    out[6] = skylight_sh_7_bands_1_5pct_spread(0);
+    out[7] = skylight_sh_7_bands_1_5pct_spread(0);
     (void)x;
 }
 
@@ -1797,7 +1797,8 @@ static inline int skylight_sh_7_bands_1_5pct_share(const float *const
 {
     int axis, s, differ = 0;
     for (axis = 1; axis < SKYLIGHT_SH_7_BANDS_1_5PCT_AXES; ++axis)
-        for (s = 1; s < count && !differ; ++s) differ = !(inputs[axis][s] == inputs[axis][0]);
+        for (s = 1; s < count && !differ; ++s)
+            differ = memcmp(inputs[axis] + s, inputs[axis], sizeof(float)) != 0;
     return !differ;
 }
 
@@ -1827,6 +1828,7 @@ static inline void skylight_sh_7_bands_1_5pct_sum_shared(const skylight_sh_7_ban
 #define SKYLIGHT_SH_7_BANDS_1_5PCT_CLASS(which, polynomials) \
     { \
         const int place = before[which]; \
+        (void)place; \
         polynomials \
     }
 #define SKYLIGHT_SH_7_BANDS_1_5PCT_NOTHING

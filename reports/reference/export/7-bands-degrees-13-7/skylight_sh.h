@@ -65,7 +65,7 @@ before."
 #endif
 
 #ifndef SKYLIGHT_SH_7_BANDS_DEGREES_13_7_H
-#define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_H 0x629118fa
+#define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_H 0x7aeb1769
 
 #include <math.h>
 #include <stdint.h>
@@ -144,7 +144,7 @@ SKYLIGHT_SH_7_BANDS_DEGREES_13_7_API void skylight_sh_7_bands_degrees_13_7_windo
     float
     weights[SKYLIGHT_SH_7_BANDS_DEGREES_13_7_CHANNELS][SKYLIGHT_SH_7_BANDS_DEGREES_13_7_WEIGHTS]);
 
-#elif SKYLIGHT_SH_7_BANDS_DEGREES_13_7_H != 0x629118fa
+#elif SKYLIGHT_SH_7_BANDS_DEGREES_13_7_H != 0x7aeb1769
 #error "Another table has the prefix skylight_sh_7_bands_degrees_13_7_7_bands_degrees_13_7 \
 already: export one of them under a prefix of its own."
 #endif /* SKYLIGHT_SH_7_BANDS_DEGREES_13_7_H */
@@ -1773,9 +1773,9 @@ static inline void skylight_sh_7_bands_degrees_13_7_factors(const
     out[6] = (-1.00158179f) * of_x;
     out[10] = 1.05722523f * of_s;
     out[2] = out[6] + (-1.26125109f) * of_y + out[10];
-    out[3] = 0.0f;
-    out[7] = 0.0f;
-    out[11] = 0.0f;
+    out[3] = 0;
+    out[7] = 0;
+    out[11] = 0;
     (void)x;
 }
 
@@ -1800,8 +1800,8 @@ static inline void skylight_sh_7_bands_degrees_13_7_first(const
     out[11] = out[1] * out[10];
     out[12] = out[1] * out[11];
     out[13] = out[1] * out[12];
-    out[14] = 0.0f;
-    out[15] = 0.0f;
+    out[14] = 0;
+    out[15] = 0;
     (void)x;
 }
 
@@ -1948,9 +1948,9 @@ static inline void skylight_sh_7_bands_degrees_13_7_factors_suns(const
     out[10] = part_9;
     const skylight_sh_7_bands_degrees_13_7_lanes part_10 = part_8 + (-1.26125109f) * of_y + part_9;
     out[2] = part_10;
-    out[3] = skylight_sh_7_bands_degrees_13_7_spread(0.0f);
-    out[7] = skylight_sh_7_bands_degrees_13_7_spread(0.0f);
-    out[11] = skylight_sh_7_bands_degrees_13_7_spread(0.0f);
+    out[3] = skylight_sh_7_bands_degrees_13_7_spread(0);
+    out[7] = skylight_sh_7_bands_degrees_13_7_spread(0);
+    out[11] = skylight_sh_7_bands_degrees_13_7_spread(0);
     (void)x;
 }
 
@@ -1987,8 +1987,8 @@ static inline void skylight_sh_7_bands_degrees_13_7_first_suns(const
     out[12] = part_12;
     const skylight_sh_7_bands_degrees_13_7_lanes part_13 = part_1 * part_12;
     out[13] = part_13;
-    out[14] = skylight_sh_7_bands_degrees_13_7_spread(0.0f);
-    out[15] = skylight_sh_7_bands_degrees_13_7_spread(0.0f);
+    out[14] = skylight_sh_7_bands_degrees_13_7_spread(0);
+    out[15] = skylight_sh_7_bands_degrees_13_7_spread(0);
     (void)x;
 }
 
@@ -2994,7 +2994,8 @@ static inline int skylight_sh_7_bands_degrees_13_7_share(const float *const
 {
     int axis, s, differ = 0;
     for (axis = 1; axis < SKYLIGHT_SH_7_BANDS_DEGREES_13_7_AXES; ++axis)
-        for (s = 1; s < count && !differ; ++s) differ = !(inputs[axis][s] == inputs[axis][0]);
+        for (s = 1; s < count && !differ; ++s)
+            differ = memcmp(inputs[axis] + s, inputs[axis], sizeof(float)) != 0;
     return !differ;
 }
 
@@ -3025,6 +3026,7 @@ static inline void skylight_sh_7_bands_degrees_13_7_sum_shared(const
 #define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_CLASS(which, polynomials) \
     { \
         const int place = before[which]; \
+        (void)place; \
         polynomials \
     }
 #define SKYLIGHT_SH_7_BANDS_DEGREES_13_7_NOTHING
