@@ -15,7 +15,7 @@ test: .venv/dev.stamp ## Run the tests
 	@.venv/bin/python -m pytest -n auto --dist loadfile
 
 conformance: .venv/dev.stamp ## Run the tests that need more tools: node, Mono, shader compilers, a browser, clang, an emulator
-	@.venv/bin/python -m pytest -m tools
+	@.venv/bin/python -m pytest -m tools -n auto --dist loadfile
 
 bench: .venv/run.stamp ## Measure error against time
 	@$(RUN) bench $(CONFIG)
