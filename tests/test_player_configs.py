@@ -62,11 +62,13 @@ def test_every_shipped_config_has_a_page(window: Browser, tmp_path: Path, name: 
     state = window.run("skylight.state()")
     keys = window.run("[...document.querySelectorAll('#player [data-key]')].map((one) => one.dataset.key)")
     assert set(keys) - {"height"} <= set(state)
-    axes = [axis.name for axis in load(shipped.folder() / f"{name}.toml").axes]
+    axes = {axis.name: axis.range for axis in load(shipped.folder() / f"{name}.toml").axes}
     assert set(axes) <= set(state)
-    for axis in axes:
+    for axis, (low, high) in axes.items():
         seen = window.canvas("sky")
-        window.run(f"skylight.set({{ {axis}: {state[axis]!r} * 0.9 + 0.02 }})")
+        # Into the other half of its range.
+        share = 0.7 if state[axis] < (low + high) / 2 else 0.3
+        window.run(f"skylight.set({{ {axis}: {low + share * (high - low)!r} }})")
         assert (window.canvas("sky") != seen).any() == (name not in STILL)
     radiance = window.canvas("sky").astype(int)
     assert radiance.max() > 60
