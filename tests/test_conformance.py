@@ -14,7 +14,7 @@ import pytest
 from conftest import ROOT, SMALL, run_quietly
 from skylight_sh import runtime
 from skylight_sh.config import load
-from skylight_sh.export import c_data, c_header, vectors
+from skylight_sh.export import c_header, vectors
 from skylight_sh.runtime import Table
 from skylight_sh.studies.stability.flavours import flavours
 
